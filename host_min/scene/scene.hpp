@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// A glTF file as shadows see it: load once, then evaluate one frame after the other.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "host_min/scene/grid.hpp"
+
+namespace gno::host {
+
+/// A caster: three vertices on the grid, counter-clockwise seen from its front. A node with a negative determinant has its winding flipped.
+struct Triangle {
+    glm::vec3 a, b, c;
+};
+
+struct Material {
+    enum class Alpha { opaque, mask, blend };
+    std::string name;
+    Alpha alpha = Alpha::opaque;
+    float alphaCutoff = 0.5f;
+    glm::vec4 baseColor{0.8f, 0.8f, 0.8f, 1.0f};  ///< linear, glTF baseColorFactor
+    bool textured = false;                        ///< has a base colour texture (its texels are not read yet)
+    bool doubleSided = false;
+};
+
+struct Light {
+    enum class Kind { point, directional, spot };
+    std::string name;
+    Kind kind = Kind::point;
+    glm::vec4 homogeneous{0, 0, 0, 1};  ///< on the grid: xyz position and w = 1, or direction towards the light (snapDirection) and w = 0
+    glm::vec3 axis{0, 0, -1};           ///< spot: unit vector along which it shines
+    glm::vec3 color{1};
+    float intensity = 1;
+    float innerCone = 0, outerCone = 0.7853981634f;  ///< spot, radians, half angles; shading only
+    bool isDefault = false;                          ///< made by us, because the file has no light
+};
+
+struct Camera {
+    std::string name;
+    bool perspective = true;
+    glm::dmat4 gridFromCamera{1.0};  ///< camera looks along its -z, y up; rotation and translation only
+    double yfov = 0.8;               ///< perspective: vertical field of view, radians
+    double xmag = 1, ymag = 1;       ///< orthographic: half extents, grid units; xmag is replaced by ymag * aspect
+    double znear = 0.01, zfar = 0;   ///< grid units; zfar = 0: infinite (perspective only)
+    bool isDefault = false;
+
+    /// Clip from grid position; Vulkan conventions: y down, depth reversed (1 at znear, 0 at zfar or infinity). `aspect` = width / height.
+    [[nodiscard]] glm::dmat4 clipFromGrid(double aspect) const;
+    /// Homogeneous viewer: xyz position and w = 1, or direction towards the viewer and w = 0 (orthographic), on the grid.
+    [[nodiscard]] glm::dvec4 viewer() const;
+};
+
+/// What was seen while loading that a user may want to know.
+struct SceneFacts {
+    uint64_t trianglesInFile = 0;      ///< of all instances, before anything is left out
+    uint64_t zeroArea = 0;             ///< triangles whose vertices are collinear on the grid: neither visible nor casters
+    uint64_t duplicates = 0;           ///< triangles that stand in the caster list before with the same three positions (any order); kept
+    uint64_t pointOrLinePrimitives = 0;
+    uint64_t closedTriangles = 0;      ///< triangles of closed, consistently oriented meshes
+    uint32_t objects = 0;              ///< mesh instances
+    uint32_t lightsInFile = 0, camerasInFile = 0, animations = 0, skins = 0, morphTargets = 0;
+    std::vector<std::string> ignoredExtensions;  ///< required by the file, but texture-only
+};
+
+/// One frame of a scene. All vectors with one entry per triangle have the same length and order.
+struct Frame {
+    Grid grid;
+    std::vector<Triangle> triangles;   ///< on the grid, none with zero area
+    std::vector<uint32_t> material;    ///< index into SceneFile::materials()
+    std::vector<uint32_t> object;      ///< index of the mesh instance
+    std::vector<uint8_t> closed;       ///< 1: the triangle belongs to a closed, consistently oriented mesh (front-face culling is legal)
+    std::vector<Light> lights;         ///< at least one
+    Camera camera;                     ///< the chosen one
+    glm::vec3 low{0}, high{0};         ///< bounding box of the triangles, on the grid
+    SceneFacts facts;
+};
+
+inline constexpr double kFramesPerSecond = 30.0;
+
+/// A loaded glTF 2.0 file (.gltf or .glb). Everything in it was checked: evaluating a frame cannot fail on its account.
+class SceneFile {
+public:
+    /// Throws InputError: missing, truncated, not glTF, an accessor or index out of bounds, a required extension that changes geometry,
+    /// no triangle at all, a position that is not finite.
+    static SceneFile load(const std::filesystem::path& path);
+
+    SceneFile(SceneFile&&) noexcept;
+    SceneFile& operator=(SceneFile&&) noexcept;
+    ~SceneFile();
+
+    [[nodiscard]] const std::filesystem::path& path() const;
+    [[nodiscard]] const std::vector<Material>& materials() const;  ///< the last entry is glTF's default material
+    [[nodiscard]] uint32_t cameraCount() const;                     ///< at least 1: the default one when the file has none
+    [[nodiscard]] uint32_t lightCount() const;                      ///< at least 1: defaults (0: point, 1: directional) when the file has none
+    [[nodiscard]] double lastKeyframe() const;                      ///< seconds; 0 without animations
+
+    /// The scene at `frame` / kFramesPerSecond seconds (animations are clamped at their ends). Throws InputError when `camera` is out of
+    /// range, or an animated position is not finite.
+    [[nodiscard]] Frame evaluate(uint32_t frame, uint32_t camera) const;
+
+private:
+    struct Data;
+    explicit SceneFile(std::unique_ptr<Data> data);
+    std::unique_ptr<Data> data_;
+};
+
+}  // namespace gno::host
