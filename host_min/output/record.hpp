@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The record: what one frame, light, technique and precision cost and gave. Its keys are a contract (schema 1, README "The record").
+#pragma once
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace gno::host {
+
+/// Names with numbers, in the order in which they are written.
+using NamedNumbers = std::vector<std::pair<std::string, uint64_t>>;
+
+struct RecordDevice {
+    std::string name, driver;
+    uint32_t subgroup = 0;
+};
+
+struct RecordPass {
+    std::string name;
+    double ms = 0;  ///< device time, median over the repeats
+};
+
+/// From a separate instrumented run. The six of the contract are always written; `more` follows them (vertices, quads, ...).
+struct RecordCounters {
+    uint64_t visitedNodes = 0, maxStack = 0, stackOverflows = 0, exactCalls = 0, dropped = 0, testAndSet = 0;
+    NamedNumbers more;
+};
+
+struct RecordCheck {
+    uint64_t checked = 0, wrong = 0, leaks = 0, falseDark = 0;
+    uint64_t self = 0;     ///< samples that only their own primitive would darken
+    uint64_t witness = 0;  ///< samples where the fp32 witness differs from the exact answer
+};
+
+struct Record {
+    std::string scene;
+    uint32_t frame = 0, light = 0;
+    std::string technique, precision;
+    nlohmann::ordered_json settings = nlohmann::ordered_json::object();  ///< of `--set`: name and value, defaults included
+    RecordDevice device;
+    std::array<uint32_t, 2> size{};
+    uint64_t triangles = 0;  ///< in the scene
+    uint64_t casters = 0;    ///< left after culling
+    uint64_t samples = 0, inShadow = 0;
+    std::vector<RecordPass> passes;  ///< total_ms is their sum
+    std::optional<double> floorMs;   ///< time of a bare full-screen pass, where it was measured
+    NamedNumbers bytes;
+    RecordCounters counters;
+    std::optional<RecordCheck> check;  ///< with --check only
+    std::vector<std::string> effects;
+
+    /// Sum of the passes whose name satisfies the table's idea of a build (`isBuildPass`), of the others, and of all; ms.
+    [[nodiscard]] double buildMs() const;
+    [[nodiscard]] double queryMs() const;
+    [[nodiscard]] double totalMs() const;
+};
+
+/// True for what prepares a structure: a pass called "build" or "setup", or with "build" or "setup" as a part between underscores.
+[[nodiscard]] bool isBuildPass(const std::string& name);
+
+/// The object of the contract, keys in its order. A time that is not finite throws std::invalid_argument; text that is not UTF-8 is repaired.
+[[nodiscard]] nlohmann::ordered_json toJson(const Record& record);
+
+/// toJson(record) on one line, no line end.
+[[nodiscard]] std::string toJsonLine(const Record& record);
+
+/// JSON Lines, one record a line, replaced as a whole. Throws InputError or WorkError like AtomicFile.
+void writeRecords(const std::filesystem::path& path, std::span<const Record> records);
+
+}  // namespace gno::host
