@@ -168,6 +168,9 @@ AtomicFile::AtomicFile(const fs::path& target) : target_(target), stream_(nullpt
     } else {
         const fs::path real = fs::is_symlink(target, status) ? fs::weakly_canonical(target, status) : target;
         if (!real.empty()) target_ = real;
+        struct stat before {};
+        const bool exists = ::stat(target_.c_str(), &before) == 0;
+        if (!exists && (errno == ENAMETOOLONG || errno == ELOOP)) refuse(target, reason(errno), errno);
         const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
         do {
             temporary_ = folder / fmt::format(".{}.{}.part", target_.filename().string().substr(0, 200), randomSuffix());
@@ -179,8 +182,7 @@ AtomicFile::AtomicFile(const fs::path& target) : target_(target), stream_(nullpt
             if (error == ENOTDIR) refuse(target, fmt::format("'{}' is no folder", folder.string()), error);
             refuse(target, reason(error), error);
         }
-        struct stat before {};
-        if (::stat(target_.c_str(), &before) == 0) {  // a file that is replaced keeps its access rights
+        if (exists) {  // a file that is replaced keeps its access rights
             [[maybe_unused]] const int ignored = ::fchmod(fd, before.st_mode & 07777);
         }
     }

@@ -76,7 +76,7 @@ Picture beside(std::span<const Picture> pictures, std::span<const std::string> c
         widest = std::max(widest, picture.width);
     }
     const bool any = std::any_of(captions.begin(), captions.end(), [](const std::string& caption) { return !caption.empty(); });
-    uint32_t scale = std::max(1u, widest / 240);
+    uint32_t scale = std::max(1u, widest / 200);
     const auto fits = [&] {
         for (std::size_t i = 0; i < pictures.size(); ++i)
             if (textWidth(captions[i], scale) > pictures[i].width) return false;

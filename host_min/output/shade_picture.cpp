@@ -13,10 +13,10 @@ namespace gno::host {
 namespace {
 
 constexpr float kSun = 0.95f;        // share of the light, at right angles
-constexpr float kSky = 0.24f;        // ambient light from above
-constexpr float kGround = 0.10f;     // ambient light from below
-constexpr float kHeadlight = 0.10f;  // from the viewer: gives shape to what lies in shadow
-const glm::vec3 kSkyTint{0.86f, 0.94f, 1.14f}, kGroundTint{1.08f, 1.0f, 0.9f};
+constexpr float kSky = 0.19f;        // ambient light from above
+constexpr float kGround = 0.08f;     // ambient light from below
+constexpr float kHeadlight = 0.08f;  // from the viewer: gives shape to what lies in shadow
+const glm::vec3 kSkyTint{0.90f, 0.96f, 1.10f}, kGroundTint{1.08f, 1.0f, 0.9f};
 
 /// Linear [0, 1] to 8 bits of sRGB, by table: 2 million pixels want to be quick.
 class SrgbTable {
