@@ -1,0 +1,4 @@
+gnomon_add_test(oracle_signs_test LIBRARIES gnomon_oracle)
+gnomon_add_test(oracle_tree_test LIBRARIES gnomon_oracle)
+gnomon_add_test(oracle_hard_cases_test LIBRARIES gnomon_oracle)
+gnomon_add_test(oracle_answer_test LIBRARIES gnomon_oracle)
