@@ -104,8 +104,9 @@ public:
     /// range, or an animated position is not finite.
     [[nodiscard]] Frame evaluate(uint32_t frame, uint32_t camera) const;
 
+    struct Data;  ///< opaque; host_min/scene's own files know it
+
 private:
-    struct Data;
     explicit SceneFile(std::unique_ptr<Data> data);
     std::unique_ptr<Data> data_;
 };

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "host_min/error.hpp"
+#include "host_min/scene/scene_data.hpp"
+#include "host_min/scene/triangles.hpp"
+
+namespace gno::host {
+
+namespace {
+
+// One mesh at one place.
+struct Instance {
+    uint32_t node;
+    const MeshData& mesh;
+    glm::dmat4 world;
+    const std::vector<glm::dmat4>& joints;  // empty without a skin
+    bool isMirrored;                        // its winding is flipped
+};
+
+// A skin replaces its node's matrix; whether it mirrors, its first joint tells.
+template <typename Use>
+void forEachInstance(const SceneFile::Data& data, const Pose& pose, Use&& use) {
+    for (const uint32_t i : data.meshNodes) {
+        const NodeData& node = data.nodes[i];
+        std::vector<glm::dmat4> joints;
+        if (node.skin >= 0) joints = jointMatrices(data.skins[static_cast<size_t>(node.skin)], pose);
+        for (const glm::dmat4& instance : node.instances) {
+            const glm::dmat4 world = pose.world[i] * instance;
+            const bool isMirrored = glm::determinant(glm::dmat3(joints.empty() ? world : joints.front())) < 0;
+            use(Instance{i, data.meshes[static_cast<size_t>(node.mesh)], world, joints, isMirrored});
+        }
+    }
+}
+
+// Makes a frame's triangles, one mesh instance after the other. Its buffers are reused.
+class Assembler {
+public:
+    Assembler(const SceneFile::Data& data, const Pose& pose, Frame& frame) : data_(data), pose_(pose), frame_(frame) {}
+
+    void run() {
+        const auto total = static_cast<size_t>(data_.facts.trianglesInFile);
+        frame_.triangles.reserve(total);
+        frame_.material.reserve(total);
+        frame_.object.reserve(total);
+        frame_.closed.reserve(total);
+        forEachInstance(data_, pose_, [this](const Instance& instance) { add(instance); });
+    }
+
+private:
+    void add(const Instance& instance) {
+        size_t vertices = 0;
+        for (const PrimitiveData& primitive : instance.mesh.primitives) vertices += primitive.positions.size();
+        welder_.reset(vertices);
+        welded_.clear();
+        const size_t first = frame_.triangles.size();
+        kept_.clear();
+        for (const PrimitiveData& primitive : instance.mesh.primitives) addPrimitive(instance, primitive);
+        const std::vector<uint8_t> closed = closedTriangles(welder_.points(), welded_);
+        for (const uint32_t i : kept_) {
+            frame_.closed.push_back(closed[i]);
+            frame_.facts.closedTriangles += closed[i];
+        }
+        frame_.object.resize(frame_.object.size() + frame_.triangles.size() - first, object_++);
+    }
+
+    void addPrimitive(const Instance& instance, const PrimitiveData& primitive) {
+        placeVertices(primitive, pose_.weights[instance.node], instance.world, instance.joints, world_);
+        numbers_.resize(world_.size());
+        for (size_t v = 0; v < world_.size(); ++v) numbers_[v] = welder_.number(frame_.grid.snap(world_[v]));
+        for (const glm::uvec3& t : primitive.triangles) {
+            const glm::uvec3 n{numbers_[t.x], numbers_[instance.isMirrored ? t.z : t.y], numbers_[instance.isMirrored ? t.y : t.z]};
+            const std::vector<glm::vec3>& points = welder_.points();
+            const Triangle triangle{points[n.x], points[n.y], points[n.z]};
+            welded_.push_back(n);
+            if (n.x == n.y || n.y == n.z || n.z == n.x || isCollinear(triangle)) {
+                ++frame_.facts.zeroArea;
+                continue;
+            }
+            kept_.push_back(static_cast<uint32_t>(welded_.size() - 1));
+            frame_.triangles.push_back(triangle);
+            frame_.material.push_back(primitive.material);
+        }
+    }
+
+    const SceneFile::Data& data_;
+    const Pose& pose_;
+    Frame& frame_;
+    uint32_t object_ = 0;
+    PointWelder welder_;
+    std::vector<glm::dvec3> world_;
+    std::vector<uint32_t> numbers_;   // of welded points, one per vertex
+    std::vector<glm::uvec3> welded_;  // the instance's triangles, those without area included
+    std::vector<uint32_t> kept_;      // those of welded_ that have an area
+};
+
+}  // namespace
+
+Box triangleBox(const SceneFile::Data& data, const Pose& pose) {
+    Box box;
+    std::vector<glm::dvec3> world;
+    forEachInstance(data, pose, [&](const Instance& instance) {
+        for (const PrimitiveData& primitive : instance.mesh.primitives) {
+            placeVertices(primitive, pose.weights[instance.node], instance.world, instance.joints, world);
+            for (const glm::dvec3& p : world) {
+                const bool ok = std::abs(p.x) <= kLargestNumber && std::abs(p.y) <= kLargestNumber && std::abs(p.z) <= kLargestNumber;
+                if (!ok) throw InputError(fmt::format("node {}: a vertex position is not finite, or exceeds 1e30", instance.node));
+                box.add(p);
+            }
+        }
+    });
+    return box;
+}
+
+Frame evaluateFrame(const SceneFile::Data& data, double seconds, uint32_t camera) {
+    const Pose pose = poseAt(data, seconds);
+    Box box = triangleBox(data, pose);
+    for (const glm::dvec3& light : lightPositions(data, pose)) box.add(light);
+
+    Frame frame;
+    frame.facts = data.facts;
+    frame.grid = Grid::around(box.low, box.high);
+    Assembler(data, pose, frame).run();
+    if (frame.triangles.empty()) throw InputError("no triangle has an area: nothing can cast a shadow");
+    frame.facts.duplicates = countDuplicates(frame.triangles);
+    frame.lights = lightsAt(data, pose, frame.grid);
+    frame.camera = cameraAt(data, pose, frame.grid, camera);
+    frame.low = frame.high = frame.triangles.front().a;
+    for (const Triangle& t : frame.triangles) {
+        frame.low = glm::min(frame.low, glm::min(t.a, glm::min(t.b, t.c)));
+        frame.high = glm::max(frame.high, glm::max(t.a, glm::max(t.b, t.c)));
+    }
+    return frame;
+}
+
+}  // namespace gno::host

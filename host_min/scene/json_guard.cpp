@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "host_min/scene/json_guard.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "host_min/error.hpp"
+#include "host_min/scene/one_line.hpp"
+
+namespace gno::host {
+
+namespace {
+
+using Json = nlohmann::json;
+using Names = std::vector<std::string_view>;
+
+constexpr int kDeepest = 64;  // glTF itself needs about 10; tinygltf recurses
+
+bool isOneOf(const Names& names, std::string_view name) { return std::find(names.begin(), names.end(), name) != names.end(); }
+
+void checkDepth(std::string_view text) {
+    int depth = 0;
+    bool inString = false;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (inString) {
+            if (c == '\\') ++i;
+            if (c == '"') inString = false;
+        } else if (c == '"') {
+            inString = true;
+        } else if (c == '{' || c == '[') {
+            if (++depth > kDeepest) throw InputError(fmt::format("its JSON is nested more than {} levels deep", kDeepest));
+        } else if (c == '}' || c == ']') {
+            --depth;
+        }
+    }
+}
+
+// Extensions that change materials, textures or metadata, never a triangle.
+bool changesNoGeometry(std::string_view name) {
+    static const std::array<std::string_view, 6> prefixes{"KHR_materials_", "EXT_materials_", "ADOBE_materials_",
+                                                          "KHR_texture_",   "EXT_texture_",   "KHR_xmp"};
+    return name == "MSFT_texture_dds" || std::any_of(prefixes.begin(), prefixes.end(), [&](auto p) { return name.starts_with(p); });
+}
+
+const Names kHandled{"KHR_lights_punctual", "KHR_mesh_quantization", "EXT_mesh_gpu_instancing"};
+
+void checkRequiredExtensions(const Json& root, std::vector<std::string>& ignored) {
+    const auto required = root.find("extensionsRequired");
+    if (required == root.end()) return;
+    if (!required->is_array()) throw InputError("extensionsRequired is not an array");
+    for (const Json& entry : *required) {
+        if (!entry.is_string()) throw InputError("extensionsRequired holds something that is no name");
+        const auto name = entry.get<std::string>();
+        if (isOneOf(kHandled, name)) continue;
+        if (!changesNoGeometry(name))
+            throw InputError(fmt::format("it requires the extension {}, which gnomon does not read; export the model without it", oneLine(name)));
+        ignored.push_back(oneLine(name));
+    }
+}
+
+void checkVersion(const Json& root) {
+    const auto asset = root.find("asset");
+    if (asset == root.end() || !asset->is_object()) throw InputError("not a glTF file: its JSON has no asset object");
+    const auto version = asset->find("version");
+    if (version == asset->end() || !version->is_string()) throw InputError("not a glTF file: its JSON has no asset.version");
+    if (!version->get<std::string>().starts_with("2."))
+        throw InputError(fmt::format("glTF version {} is not supported, only 2.0; convert the file", oneLine(version->get<std::string>())));
+}
+
+void checkWhole(const Json& value, std::string_view what) {
+    if (value.is_number_unsigned() && value.get<uint64_t>() < (1ull << 31)) return;
+    throw InputError(
+        fmt::format("{} is {}, not a whole number in [0, 2^31)", what, oneLine(value.dump(-1, ' ', true, Json::error_handler_t::replace))));
+}
+
+void checkWholeMembers(const Json& object, std::string_view what) {
+    if (!object.is_object()) throw InputError(fmt::format("{} is not an object", what));
+    for (const auto& [key, value] : object.items()) checkWhole(value, fmt::format("{}.{}", what, oneLine(key)));
+}
+
+void checkNumbers(const Json& value, std::string_view what, size_t length) {
+    const bool ok = value.is_array() && (length == 0 || value.size() == length) &&
+                    std::all_of(value.begin(), value.end(), [](const Json& v) { return v.is_number(); });
+    if (ok) return;
+    if (length == 0) throw InputError(fmt::format("{} is not an array of numbers", what));
+    throw InputError(fmt::format("{} is not an array of {} numbers", what, length));
+}
+
+void checkMember(std::string_view key, const Json& value) {
+    static const Names whole{
+        "buffer",   "bufferView", "byteLength", "byteOffset", "byteStride", "count",  "componentType",       "mesh",     "skin",  "camera",
+        "material", "mode",       "sampler",    "node",       "input",      "output", "inverseBindMatrices", "skeleton", "scene", "light"};
+    static const Names lists{"accessors", "animations", "buffers",    "bufferViews", "cameras", "channels", "lights",
+                             "materials", "meshes",     "primitives", "samplers",    "scenes",  "skins"};
+    if (isOneOf(whole, key)) checkWhole(value, key);
+    if (key == "indices" && !value.is_object()) checkWhole(value, key);
+    if (key == "attributes") checkWholeMembers(value, key);
+    if (key == "matrix") checkNumbers(value, key, 16);
+    if (key == "rotation") checkNumbers(value, key, 4);
+    if (key == "translation" || key == "scale" || key == "color") checkNumbers(value, key, 3);
+    if (key == "weights") checkNumbers(value, key, 0);
+    const bool isList = isOneOf(lists, key);
+    if (!isList && key != "children" && key != "joints" && key != "nodes" && key != "targets") return;
+    if (!value.is_array()) throw InputError(fmt::format("{} is not an array", key));
+    for (const Json& entry : value) {
+        if (key == "targets")
+            checkWholeMembers(entry, key);
+        else if (isList && !entry.is_object())
+            throw InputError(fmt::format("{} holds something that is no object", key));
+        else if (!isList && !(key == "nodes" && entry.is_object()))
+            checkWhole(entry, key);
+    }
+}
+
+void pruneAndCheck(Json& value) {
+    if (value.is_array()) {
+        for (Json& entry : value) pruneAndCheck(entry);
+        return;
+    }
+    if (!value.is_object()) return;
+    for (const char* key : {"extras", "normalTexture", "occlusionTexture", "emissiveTexture", "metallicRoughnessTexture", "min", "max"})
+        value.erase(key);
+    if (const auto extensions = value.find("extensions"); extensions != value.end()) {
+        if (!extensions->is_object()) throw InputError("extensions is not an object");
+        for (auto it = extensions->begin(); it != extensions->end();) it = isOneOf(kHandled, it.key()) ? std::next(it) : extensions->erase(it);
+    }
+    for (auto& [key, member] : value.items()) {
+        checkMember(key, member);
+        pruneAndCheck(member);
+    }
+}
+
+}  // namespace
+
+std::string guardJson(std::string_view text, std::vector<std::string>& ignored) {
+    checkDepth(text);
+    Json root;
+    try {
+        root = Json::parse(text.begin(), text.end());
+    } catch (const Json::exception& error) {
+        throw InputError("its JSON is broken: " + oneLine(error.what()));
+    }
+    if (!root.is_object()) throw InputError("not a glTF file: its JSON is not an object");
+    checkVersion(root);
+    checkRequiredExtensions(root, ignored);
+    // Top-level lists of textures; animations[].samplers is another thing and stays.
+    for (const char* key : {"images", "textures", "samplers"}) root.erase(key);
+    pruneAndCheck(root);
+    return root.dump();
+}
+
+}  // namespace gno::host

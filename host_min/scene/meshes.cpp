@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "host_min/error.hpp"
+#include "host_min/scene/scene_data.hpp"
+
+namespace gno::host {
+
+namespace {
+
+constexpr uint64_t kMostDisplacements = 1ull << 26;  // of all morph targets of a mesh
+
+// Triangles of a list, strip or fan of `count` vertices, as indices into that sequence. Strips keep their winding by swapping every other one.
+std::vector<glm::uvec3> triangulate(int mode, uint32_t count) {
+    std::vector<glm::uvec3> triangles;
+    if (mode == TINYGLTF_MODE_TRIANGLES) {
+        triangles.reserve(count / 3);
+        for (uint32_t i = 0; i + 2 < count; i += 3) triangles.emplace_back(i, i + 1, i + 2);
+    } else if (count >= 3) {
+        triangles.reserve(count - 2);
+        for (uint32_t i = 0; i + 2 < count; ++i) {
+            if (mode == TINYGLTF_MODE_TRIANGLE_FAN)
+                triangles.emplace_back(0, i + 1, i + 2);
+            else
+                triangles.emplace_back(i, i + 1 + i % 2, i + 2 - i % 2);
+        }
+    }
+    return triangles;
+}
+
+// Renumbers the triangles' vertices 0, 1, … in order of first use; returns the vertices kept.
+std::vector<uint32_t> keepUsed(std::vector<glm::uvec3>& triangles, size_t vertexCount, const std::string& what) {
+    // Many primitives may share one large accessor: the table is kept, and only what was used is reset.
+    static thread_local std::vector<uint32_t> newIndex;
+    constexpr uint32_t kUnused = 0xFFFFFFFFu;
+    if (newIndex.size() < vertexCount) newIndex.resize(vertexCount, kUnused);
+    for (const glm::uvec3& triangle : triangles)
+        for (int corner = 0; corner < 3; ++corner)
+            if (triangle[corner] >= vertexCount)
+                throw InputError(fmt::format("{}: index {} is past its {} vertices", what, triangle[corner], vertexCount));
+    std::vector<uint32_t> kept;
+    for (glm::uvec3& triangle : triangles) {
+        for (int corner = 0; corner < 3; ++corner) {
+            uint32_t& renumbered = newIndex[triangle[corner]];
+            if (renumbered == kUnused) {
+                renumbered = static_cast<uint32_t>(kept.size());
+                kept.push_back(triangle[corner]);
+            }
+            triangle[corner] = renumbered;
+        }
+    }
+    for (const uint32_t vertex : kept) newIndex[vertex] = kUnused;
+    return kept;
+}
+
+std::vector<glm::dvec3> gather(const std::vector<double>& values, const std::vector<uint32_t>& kept, const std::string& what) {
+    std::vector<glm::dvec3> result(kept.size());
+    for (size_t i = 0; i < kept.size(); ++i) {
+        const double* value = values.data() + size_t{kept[i]} * 3;
+        result[i] = {value[0], value[1], value[2]};
+        if (!(std::isfinite(value[0]) && std::isfinite(value[1]) && std::isfinite(value[2])))
+            throw InputError(fmt::format("{}: the position of vertex {} is not finite", what, kept[i]));
+    }
+    return result;
+}
+
+int attribute(const std::map<std::string, int>& attributes, const char* name) {
+    const auto found = attributes.find(name);
+    return found == attributes.end() ? -1 : found->second;
+}
+
+std::vector<glm::uvec3> readTriangles(const tinygltf::Primitive& primitive, const Accessors& accessors, size_t vertexCount, const std::string& what) {
+    if (primitive.indices < 0) {
+        if (vertexCount > kMostTriangles * 3) throw InputError(fmt::format("{} has too many vertices", what));
+        return triangulate(primitive.mode, static_cast<uint32_t>(vertexCount));
+    }
+    const std::vector<uint32_t> indices = accessors.indices(primitive.indices, what + " indices");
+    // What makes no triangle (a rest of one or two indices) is checked as well.
+    for (const uint32_t index : indices)
+        if (index >= vertexCount) throw InputError(fmt::format("{}: index {} is past its {} vertices", what, index, vertexCount));
+    std::vector<glm::uvec3> triangles = triangulate(primitive.mode, static_cast<uint32_t>(indices.size()));
+    for (glm::uvec3& triangle : triangles) triangle = {indices[triangle.x], indices[triangle.y], indices[triangle.z]};
+    return triangles;
+}
+
+PrimitiveData loadPrimitive(const tinygltf::Primitive& primitive, Accessors& accessors, const std::string& what) {
+    const int position = attribute(primitive.attributes, "POSITION");
+    const std::vector<double>& positions = accessors.values(position, TINYGLTF_TYPE_VEC3, what + " POSITION");
+    const size_t vertexCount = positions.size() / 3;
+    PrimitiveData result;
+    result.triangles = readTriangles(primitive, accessors, vertexCount, what);
+    const std::vector<uint32_t> kept = keepUsed(result.triangles, vertexCount, what);
+    result.positions = gather(positions, kept, what);
+    if (kept.size() * primitive.targets.size() > kMostDisplacements) throw InputError(fmt::format("{} has too many morph targets", what));
+    for (const auto& target : primitive.targets) {
+        const int displacement = attribute(target, "POSITION");
+        if (displacement < 0) {  // it moves normals only
+            result.targets.emplace_back();
+            continue;
+        }
+        const std::vector<double>& values = accessors.values(displacement, TINYGLTF_TYPE_VEC3, what + " morph target");
+        if (values.size() != vertexCount * 3)
+            throw InputError(fmt::format("{}: a morph target has {} vertices, not {}", what, values.size() / 3, vertexCount));
+        result.targets.push_back(gather(values, kept, what + " morph target"));
+    }
+    for (const auto& [name, index] : primitive.attributes)
+        if (name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_"))
+            if (accessors.count(index, what + " " + name.substr(0, 16)) != vertexCount)
+                throw InputError(fmt::format("{}: {} does not have one entry per vertex", what, name.substr(0, 16)));
+    loadInfluences(primitive, accessors, kept, result);
+    return result;
+}
+
+}  // namespace
+
+MeshData loadMesh(const tinygltf::Model& model, size_t index, Accessors& accessors) {
+    const tinygltf::Mesh& mesh = model.meshes[index];
+    MeshData result;
+    for (size_t i = 0; i < mesh.primitives.size(); ++i) {
+        const tinygltf::Primitive& primitive = mesh.primitives[i];
+        const std::string what = fmt::format("mesh {} primitive {}", index, i);
+        if (primitive.material >= static_cast<int>(model.materials.size()))
+            throw InputError(fmt::format("{}: material {} does not exist, there are {}", what, primitive.material, model.materials.size()));
+        if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
+            throw InputError(fmt::format("{}: mode {} is not glTF", what, primitive.mode));
+        if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
+            ++result.pointOrLinePrimitives;
+            continue;
+        }
+        if (primitive.attributes.count("POSITION") == 0) continue;  // legal, and draws nothing
+        if (result.primitives.empty())
+            result.targetCount = primitive.targets.size();
+        else if (result.targetCount != primitive.targets.size())
+            throw InputError(fmt::format("{} has {} morph targets, others of its mesh have {}", what, primitive.targets.size(), result.targetCount));
+        result.primitives.push_back(loadPrimitive(primitive, accessors, what));
+        result.primitives.back().material =
+            static_cast<uint32_t>(primitive.material < 0 ? model.materials.size() : static_cast<size_t>(primitive.material));
+        result.triangleCount += result.primitives.back().triangles.size();
+    }
+    result.weights = mesh.weights;
+    if (result.weights.empty()) result.weights.assign(result.targetCount, 0.0);
+    if (!result.primitives.empty() && result.weights.size() != result.targetCount)
+        throw InputError(fmt::format("mesh {} has {} weights for {} morph targets", index, result.weights.size(), result.targetCount));
+    for (const double weight : result.weights)
+        if (!(std::abs(weight) <= kLargestNumber)) throw InputError(fmt::format("mesh {}: a weight is not finite", index));
+    return result;
+}
+
+}  // namespace gno::host

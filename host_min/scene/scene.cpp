@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "host_min/scene/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host_min/error.hpp"
+#include "host_min/scene/gltf_file.hpp"
+#include "host_min/scene/one_line.hpp"
+#include "host_min/scene/scene_data.hpp"
+
+namespace gno::host {
+
+namespace {
+
+Material readMaterial(const tinygltf::Material& from, size_t index) {
+    Material material;
+    material.name = oneLine(from.name);
+    if (from.alphaMode == "MASK") material.alpha = Material::Alpha::mask;
+    if (from.alphaMode == "BLEND") material.alpha = Material::Alpha::blend;
+    material.alphaCutoff = static_cast<float>(from.alphaCutoff);
+    const auto& factor = from.pbrMetallicRoughness.baseColorFactor;
+    if (factor.size() != 4) throw InputError(fmt::format("material {}: baseColorFactor does not have 4 numbers", index));
+    for (int i = 0; i < 4; ++i) material.baseColor[i] = static_cast<float>(std::clamp(factor[static_cast<size_t>(i)], 0.0, 1.0));
+    material.textured = from.pbrMetallicRoughness.baseColorTexture.index >= 0;
+    material.doubleSided = from.doubleSided;
+    return material;
+}
+
+void countTriangles(SceneFile::Data& data) {
+    for (const uint32_t i : data.meshNodes) {
+        const NodeData& node = data.nodes[i];
+        const MeshData& mesh = data.meshes[static_cast<size_t>(node.mesh)];
+        data.facts.trianglesInFile += mesh.triangleCount * node.instances.size();
+        data.facts.objects += static_cast<uint32_t>(node.instances.size());
+        data.facts.pointOrLinePrimitives += mesh.pointOrLinePrimitives * node.instances.size();
+        if (data.facts.trianglesInFile > kMostTriangles) throw InputError(fmt::format("the scene has more than {} triangles", kMostTriangles));
+    }
+    if (data.facts.trianglesInFile == 0) throw InputError("the scene has no triangles");
+}
+
+std::unique_ptr<SceneFile::Data> loadData(const std::filesystem::path& path) {
+    auto data = std::make_unique<SceneFile::Data>();
+    data->path = path;
+    const tinygltf::Model model = openGltf(path, data->facts.ignoredExtensions);
+    Accessors accessors(model);
+    for (size_t i = 0; i < model.materials.size(); ++i) data->materials.push_back(readMaterial(model.materials[i], i));
+    data->materials.emplace_back().name = "default";
+    uint64_t stored = 0;
+    for (size_t i = 0; i < model.meshes.size(); ++i) {
+        data->meshes.push_back(loadMesh(model, i, accessors));
+        stored += data->meshes.back().triangleCount;
+        if (stored > kMostTriangles) throw InputError(fmt::format("the file has more than {} triangles", kMostTriangles));
+        data->facts.morphTargets += static_cast<uint32_t>(data->meshes.back().targetCount);
+    }
+    data->skins = loadSkins(model, accessors);
+    loadLightsAndCameras(model, *data);
+    loadNodes(model, accessors, *data);
+    data->channels = loadAnimations(model, accessors, *data);
+    data->facts.animations = static_cast<uint32_t>(model.animations.size());
+    data->facts.skins = static_cast<uint32_t>(model.skins.size());
+    data->facts.lightsInFile = static_cast<uint32_t>(data->lightNodes.size());
+    data->facts.camerasInFile = static_cast<uint32_t>(data->cameraNodes.size());
+    countTriangles(*data);
+    data->firstFrame = triangleBox(*data, poseAt(*data, 0.0));
+    return data;
+}
+
+// What goes wrong with a file is told with its path.
+template <typename Work>
+auto withPath(const std::filesystem::path& path, Work&& work) {
+    try {
+        return work();
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", oneLine(path.string()), error.what()));
+    } catch (const std::bad_alloc&) {
+        throw WorkError(fmt::format("{}: not enough memory", oneLine(path.string())));
+    }
+}
+
+}  // namespace
+
+SceneFile::SceneFile(std::unique_ptr<Data> data) : data_(std::move(data)) {}
+SceneFile::SceneFile(SceneFile&&) noexcept = default;
+SceneFile& SceneFile::operator=(SceneFile&&) noexcept = default;
+SceneFile::~SceneFile() = default;
+
+SceneFile SceneFile::load(const std::filesystem::path& path) {
+    return withPath(path, [&] { return SceneFile(loadData(path)); });
+}
+
+const std::filesystem::path& SceneFile::path() const { return data_->path; }
+const std::vector<Material>& SceneFile::materials() const { return data_->materials; }
+uint32_t SceneFile::cameraCount() const { return std::max(1u, data_->facts.camerasInFile); }
+uint32_t SceneFile::lightCount() const { return data_->lightNodes.empty() ? 2u : data_->facts.lightsInFile; }
+
+double SceneFile::lastKeyframe() const {
+    double last = 0;
+    for (const ChannelData& channel : data_->channels) last = std::max(last, channel.times.back());
+    return last;
+}
+
+Frame SceneFile::evaluate(uint32_t frame, uint32_t camera) const {
+    return withPath(data_->path, [&] {
+        if (camera >= cameraCount())
+            throw InputError(fmt::format("camera {} does not exist; the scene has {}, counted from 0", camera, cameraCount()));
+        return evaluateFrame(*data_, frame / kFramesPerSecond, camera);
+    });
+}
+
+}  // namespace gno::host

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// What remains of a glTF file after loading: checked references, decoded numbers. Internal to gnomon_scene.
+#pragma once
+#include <tiny_gltf.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/gtc/quaternion.hpp>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "host_min/scene/accessors.hpp"
+#include "host_min/scene/scene.hpp"
+
+namespace gno::host {
+
+inline constexpr uint64_t kMostTriangles = 1ull << 26;  ///< of all instances; keeps a small hostile file from asking for all memory
+inline constexpr double kLargestNumber = 1e30;          ///< of matrices and world positions: products of a few stay finite
+
+struct Box {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+    void add(glm::dvec3 point) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+};
+
+struct Influence {
+    uint32_t joint;  ///< index into SkinData::joints
+    double weight;   ///< those of a vertex sum to 1
+};
+
+/// Triangles of one primitive, in the mesh's space. Only vertices that a triangle refers to are kept.
+struct PrimitiveData {
+    std::vector<glm::dvec3> positions;
+    std::vector<std::vector<glm::dvec3>> targets;  ///< morph targets: displacements, one per position (empty: none)
+    std::vector<glm::uvec3> triangles;
+    std::vector<uint32_t> influenceStart;  ///< vertex v has influences [start[v], start[v + 1]); empty without joints
+    std::vector<Influence> influences;
+    uint32_t jointCount = 0;  ///< largest joint index + 1
+    uint32_t material = 0;
+};
+
+struct MeshData {
+    std::vector<PrimitiveData> primitives;
+    std::vector<double> weights;  ///< one per morph target
+    size_t targetCount = 0;
+    uint64_t triangleCount = 0, pointOrLinePrimitives = 0;
+};
+
+struct NodeData {
+    std::string name;
+    int parent = -1;
+    bool inScene = false;
+    bool hasMatrix = false;
+    glm::dmat4 matrix{1.0};  ///< when hasMatrix; translation, rotation and scale are then its parts
+    glm::dvec3 translation{0.0};
+    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
+    glm::dvec3 scale{1.0};
+    int mesh = -1, skin = -1, camera = -1, light = -1;
+    std::vector<double> weights;                         ///< of its mesh's morph targets
+    std::vector<glm::dmat4> instances{glm::dmat4(1.0)};  ///< EXT_mesh_gpu_instancing; one identity without it
+};
+
+struct SkinData {
+    std::vector<uint32_t> joints;  ///< nodes
+    std::vector<glm::dmat4> inverseBind;
+};
+
+struct ChannelData {
+    enum class Path { translation, rotation, scale, weights };
+    enum class Interpolation { linear, step, cubic };
+    uint32_t node = 0;
+    Path path = Path::translation;
+    Interpolation interpolation = Interpolation::linear;
+    size_t width = 3;            ///< numbers per value
+    std::vector<double> times;   ///< seconds, rising, at least one
+    std::vector<double> values;  ///< width numbers per time; cubic: in-tangent, value, out-tangent
+};
+
+/// All nodes at one moment.
+struct Pose {
+    std::vector<glm::dmat4> world;
+    std::vector<std::vector<double>> weights;
+};
+
+struct SceneFile::Data {
+    std::filesystem::path path;
+    std::vector<Material> materials;
+    std::vector<MeshData> meshes;
+    std::vector<NodeData> nodes;
+    std::vector<uint32_t> order;  ///< all nodes, parents first
+    std::vector<SkinData> skins;
+    std::vector<ChannelData> channels;                         ///< in file order
+    std::vector<Light> lights;                                 ///< as in the file; position and direction come from the node
+    std::vector<Camera> cameras;                               ///< as in the file, lengths in world units
+    std::vector<uint32_t> meshNodes, lightNodes, cameraNodes;  ///< nodes of the scene, in node order
+    Box firstFrame;                                            ///< of the triangles of frame 0, world units
+    SceneFacts facts;                                          ///< those that no frame changes
+};
+
+// meshes.cpp
+MeshData loadMesh(const tinygltf::Model& model, size_t mesh, Accessors& accessors);
+// nodes.cpp: fills nodes, order, meshNodes, lightNodes and cameraNodes
+void loadNodes(const tinygltf::Model& model, Accessors& accessors, SceneFile::Data& data);
+/// The matrix of a node with these parts.
+glm::dmat4 composed(const glm::dvec3& translation, const glm::dquat& rotation, const glm::dvec3& scale);
+/// Throws InputError unless all numbers are finite and at most kLargestNumber.
+void checkMatrix(const glm::dmat4& matrix, const std::string& what);
+// animation.cpp
+std::vector<ChannelData> loadAnimations(const tinygltf::Model& model, Accessors& accessors, const SceneFile::Data& data);
+Pose poseAt(const SceneFile::Data& data, double seconds);
+// skin.cpp
+std::vector<SkinData> loadSkins(const tinygltf::Model& model, Accessors& accessors);
+void loadInfluences(const tinygltf::Primitive& primitive, Accessors& accessors, const std::vector<uint32_t>& kept, PrimitiveData& result);
+/// One matrix per joint: skin space to world.
+std::vector<glm::dmat4> jointMatrices(const SkinData& skin, const Pose& pose);
+/// World positions of a primitive's vertices; `world` places what has no joints.
+void placeVertices(const PrimitiveData& primitive, const std::vector<double>& weights, const glm::dmat4& world, const std::vector<glm::dmat4>& joints,
+                   std::vector<glm::dvec3>& out);
+// lights_cameras.cpp
+void loadLightsAndCameras(const tinygltf::Model& model, SceneFile::Data& data);
+std::vector<Light> lightsAt(const SceneFile::Data& data, const Pose& pose, const Grid& grid);
+Camera cameraAt(const SceneFile::Data& data, const Pose& pose, const Grid& grid, uint32_t camera);
+/// The world positions that the grid has to hold besides the triangles: of point and spot lights.
+std::vector<glm::dvec3> lightPositions(const SceneFile::Data& data, const Pose& pose);
+// evaluate.cpp
+Frame evaluateFrame(const SceneFile::Data& data, double seconds, uint32_t camera);
+/// The world box of all triangles. Throws InputError when a position is not finite or exceeds kLargestNumber.
+Box triangleBox(const SceneFile::Data& data, const Pose& pose);
+
+}  // namespace gno::host
