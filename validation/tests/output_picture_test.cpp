@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <numbers>
 
 #include "host_min/output/heatmap.hpp"
@@ -181,12 +181,12 @@ TEST(OutputPicture, MaskColours) {
 
 TEST(OutputPicture, ShadowsAreDarkerAndFullHdIsQuick) {
     const ToyFrame frame(1920, 1080);
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     const Picture picture =
         shadePicture({frame.position, frame.normal, frame.color, frame.visibility, frame.light, glm::vec3(1), {0, 1, 0}, frame.viewer});
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     RecordProperty("milliseconds", static_cast<int>(seconds * 1000));
-    EXPECT_LT(seconds, 5.0);  // 0.1 s on an idle core; the bound only catches a wrong order of growth
+    EXPECT_LT(seconds, 10.0);  // 0.06 s of processor time, 2 s with sanitizers: the bound only catches a wrong order of growth
     Raster<uint8_t> flipped = frame.visibility;
     for (uint8_t& v : flipped.pixels) v = v == 0 ? 1 : v;
     const Picture lit = shadePicture({frame.position, frame.normal, frame.color, flipped, frame.light, glm::vec3(1), {0, 1, 0}, frame.viewer});
