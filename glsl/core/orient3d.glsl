@@ -17,7 +17,7 @@
 // Stages     any; may diverge
 // Requires   #version 450, no extension, no optional device feature (no fp64, no int64); any rounding mode, denormals kept or flushed
 // Reads      nothing; writes nothing; declares no binding
-// Cost       the filter of one sign: 3 subtractions of vec3, about 30 flops; an exact sign: 33 umulExtended and about 350 integer operations,
+// Cost       the filter of one sign: 3 subtractions of vec3, about 30 flops; an exact sign: 33 umulExtended and about 500 other integer operations,
 //            only where the filter cannot tell. gnoInShadowOfFacing: about 110 flops for its four signs, then one exact sign after the other
 //            for those that the filter left open
 //
