@@ -61,7 +61,8 @@ TEST_P(Own, OfADuplicateIsShadowedByItsTwin) {
     EXPECT_EQ(answer.caster, (std::vector<uint32_t>{1, 0}));
 }
 
-INSTANTIATE_TEST_SUITE_P(BothLights, Own, testing::Values(kSun, kLamp));
+INSTANTIATE_TEST_SUITE_P(BothLights, Own, testing::Values(kSun, kLamp),
+                         [](const auto& light) { return std::string(light.param.w != 0 ? "Lamp" : "Sun"); });
 
 // A height field and samples well clear of it: nothing here is close.
 cases::HardCase easyScene(glm::vec4 light) {
