@@ -10,13 +10,16 @@ namespace gno::host {
 
 namespace {
 
-constexpr double kRoom = 1.0 / 1024;      // what stays free between the scene and the borders of [-1, 1]
+constexpr double kRoom = 1.0 / 1024;  // what stays free between the scene and the borders of [-1, 1]
+constexpr int kCentreBits = 16;
 constexpr int kSmallestExponent = -1000;  // 2^1000 is still a double
 
 double largest(glm::dvec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 }  // namespace
 
+// The centre is the middle of the box, rounded to a multiple of 2^(exponent - 16): a scene moved by a large power of two keeps its grid positions
+// bit by bit, and coordinates that are multiples of such a step lose nothing. It moves by 2^-17 grid units at most, out of the room to spare.
 Grid Grid::around(glm::dvec3 low, glm::dvec3 high) {
     Grid grid;
     grid.centre = low * 0.5 + high * 0.5;
@@ -25,6 +28,8 @@ Grid Grid::around(glm::dvec3 low, glm::dvec3 high) {
         int exponent = 0;
         const double mantissa = std::frexp(half, &exponent);  // half = mantissa * 2^exponent, mantissa in [0.5, 1)
         grid.exponent = std::max(mantissa <= 1 - kRoom ? exponent : exponent + 1, kSmallestExponent);
+        const int step = grid.exponent - kCentreBits;
+        for (int axis = 0; axis < 3; ++axis) grid.centre[axis] = std::ldexp(std::nearbyint(std::ldexp(grid.centre[axis], -step)), step);
     }
     return grid;
 }

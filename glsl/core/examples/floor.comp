@@ -1,0 +1,10 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// The floor of all times: reads every view sample, writes a mask, decides nothing.
+#include "../shared_types.h"
+#include "../counters.glsl"
+#include "../sample.glsl"
+#include "frame.glsl"
+#define GNO_EXAMPLE_QUERY(s_) (s_.own == 0u)
+#include "query_comp.glsl"

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// main() of every query in a compute shader: one invocation per pixel. GNO_EXAMPLE_QUERY(sample) is the query.
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(set = 2, binding = 0, rgba32ui) uniform readonly uimage2D gnoSamples;
+layout(set = 2, binding = 1, r32ui) uniform writeonly uimage2D gnoVisibility;
+#if GNO_COUNTERS
+layout(set = 2, binding = 2, rgba32ui) uniform writeonly uimage2D gnoCounts;  // visited nodes, deepest stack, overflows, exact calls
+#endif
+
+void main() {
+    if (any(greaterThanEqual(gl_GlobalInvocationID.xy, gnoPush.size))) return;
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    GnoViewSample s = gnoUnpackViewSample(imageLoad(gnoSamples, pixel));
+    uint visibility = s.own == GNO_BACKGROUND ? GNO_VISIBILITY_BACKGROUND : GNO_VISIBILITY_FACING_AWAY;
+    if (s.own <= GNO_NO_CASTER) visibility = GNO_EXAMPLE_QUERY(s) ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT;
+    imageStore(gnoVisibility, pixel, uvec4(visibility));
+#if GNO_COUNTERS
+    imageStore(gnoCounts, pixel, uvec4(gnoCounters.visitedNodes, gnoCounters.deepestStack, gnoCounters.stackOverflows, gnoCounters.exactCalls));
+#endif
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// gnomon top/bindings.glsl : our buffers for a TOP tree; the only file of the module with layout(set = ...).
+//
+// Requires   #version 450, no extension. Include before build.glsl or a query; leave it out where your storage differs
+//
+// Macro                   required  default  meaning
+// GNO_TOP_SET             no        1        descriptor set of all three
+// GNO_TOP_BINDING_PLANES  no        0        planes, std430 vec4[4 n]; layout of all three in node.h
+// GNO_TOP_BINDING_LINKS   no        1        links, std430 GnoTopLink[4 n]
+// GNO_TOP_BINDING_HEADER  no        2        header, std430 GnoTopHeader
+// GNO_TOP_READ_ONLY       no        0        1: queries only; the buffers are declared readonly
+#ifndef GNO_TOP_BINDINGS_GLSL
+#define GNO_TOP_BINDINGS_GLSL
+#include "node.h"
+#ifndef GNO_TOP_SET
+#define GNO_TOP_SET 1
+#endif
+#ifndef GNO_TOP_BINDING_PLANES
+#define GNO_TOP_BINDING_PLANES 0
+#endif
+#ifndef GNO_TOP_BINDING_LINKS
+#define GNO_TOP_BINDING_LINKS 1
+#endif
+#ifndef GNO_TOP_BINDING_HEADER
+#define GNO_TOP_BINDING_HEADER 2
+#endif
+#ifndef GNO_TOP_READ_ONLY
+#define GNO_TOP_READ_ONLY 0
+#endif
+#if GNO_TOP_READ_ONLY
+#define GNO_TOP_ACCESS_ readonly
+#else
+#define GNO_TOP_ACCESS_ coherent
+#endif
+
+layout(set = GNO_TOP_SET, binding = GNO_TOP_BINDING_PLANES, std430) GNO_TOP_ACCESS_ buffer GnoTopPlaneBuffer { vec4 v[]; } gnoTopPlanes;
+layout(set = GNO_TOP_SET, binding = GNO_TOP_BINDING_LINKS, std430) GNO_TOP_ACCESS_ buffer GnoTopLinkBuffer { GnoTopLink v[]; } gnoTopLinks;
+layout(set = GNO_TOP_SET, binding = GNO_TOP_BINDING_HEADER, std430) GNO_TOP_ACCESS_ buffer GnoTopHeaderBuffer { GnoTopHeader v; } gnoTopHeader;
+
+#define GNO_TOP_PLANES gnoTopPlanes.v
+#define GNO_TOP_LINKS gnoTopLinks.v
+#define GNO_TOP_HEADER gnoTopHeader.v
+#define GNO_TOP_ROOT gnoTopHeader.v.root
+
+GnoTopNode gnoTopLoadNode(uint index_) {
+    GnoTopLink link_ = gnoTopLinks.v[index_];
+    return GnoTopNode(gnoTopPlanes.v[index_], link_.positiveChild, link_.intersectionChild, link_.aux, uintBitsToFloat(link_.wedge));
+}
+#define GNO_TOP_LOAD_NODE(index_) gnoTopLoadNode(index_)
+#define GNO_TOP_LOAD_ANCESTOR(index_) gnoTopLinks.v[((index_) & ~3u) + 1u].aux
+#endif

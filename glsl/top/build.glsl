@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// gnomon top/build.glsl : a TOP tree over shadow volumes, built by one invocation per caster without locks and without fences.
+// After Mora et al., EGSR 2016, algorithm 2 (depth and ancestor links included); margins and bounds as in plane.glsl.
+//
+//   void gnoTopSetUp(uint caster, int facing)        dispatch 1: writes the caster's planes and empty links; facing 0: it is left out
+//   bool gnoTopInsert(uint caster)                   dispatch 2: files the caster; false: left out, or inside another volume and not needed
+//
+// Dispatch 1 writes all that never changes. Dispatch 2 touches links only by relaxed atomics: a compare-and-swap takes an empty child or tells
+// who has it. Planes and links are published by the dispatch boundary, so no acquire or release is needed, on any device. Before dispatch 1
+// header.root is GNO_TOP_NONE. For a balanced tree call gnoTopInsert(gnoPermute(i, n, seed)) for i = 0 .. n - 1 (core/permutation.glsl).
+//
+// Space      casters on the scene grid; facing = gnoFacing(light, caster), exact
+// Stages     any with storage buffers; no barrier, no shared memory, may diverge
+// Requires   #version 450, no extension
+// Reads      casters, planes; dispatch 2 reads links by atomics only
+// Writes     planes, links, header
+// Cost       21 steps per caster and 2 atomics per step, about (random order)
+//
+// Macro                     required  default                   meaning
+// GNO_TOP_PLANES            yes       -                         array of vec4, 4 per caster
+// GNO_TOP_LINKS             yes       -                         array of GnoTopLink in a storage buffer, 4 per caster
+// GNO_TOP_HEADER            yes       -                         GnoTopHeader in a storage buffer
+// GNO_LIGHT                 yes       -                         vec4, homogeneous (core/light.glsl)
+// GNO_LOAD_CASTER(index)    yes       -                         GnoCaster
+// GNO_PRECISION             no        GNO_PRECISION_CERTIFIED   rung of the ladder; the queries must use the same
+#ifndef GNO_TOP_BUILD_GLSL
+#define GNO_TOP_BUILD_GLSL
+#include "../core/counters.glsl"
+#include "plane.glsl"
+#if !defined(GNO_TOP_PLANES) || !defined(GNO_TOP_LINKS) || !defined(GNO_TOP_HEADER)
+#error "top/build.glsl: define GNO_TOP_PLANES, GNO_TOP_LINKS and GNO_TOP_HEADER or include top/bindings.glsl before this file"
+#endif
+#ifndef GNO_LIGHT
+#error "top/build.glsl: define GNO_LIGHT, a homogeneous vec4"
+#endif
+#ifndef GNO_LOAD_CASTER
+#error "top/build.glsl: define GNO_LOAD_CASTER(index) or include core/bindings.glsl before this file"
+#endif
+#ifndef GNO_PRECISION
+#define GNO_PRECISION GNO_PRECISION_CERTIFIED
+#endif
+GNO_NAMESPACE_BEGIN
+
+GNO_CONST uint GNO_TOP_LEFT_OUT_ = 1u;  // in the aux of a volume's third node: this caster is not to be inserted
+
+GNO_INLINE void gnoTopSetUp(uint caster_, int facing_) {
+    uint first_ = 4u * caster_;
+    GnoCaster t_ = GNO_LOAD_CASTER(caster_);
+    for (uint i_ = 0u; i_ < 4u; ++i_) {
+        GNO_TOP_LINKS[first_ + i_].positiveChild = GNO_TOP_NONE;
+        GNO_TOP_LINKS[first_ + i_].intersectionChild = GNO_TOP_NONE;
+        GNO_TOP_LINKS[first_ + i_].wedge = 0u;
+    }
+    float depth_ = GNO_PRECISION == GNO_PRECISION_PUBLISHED ? gnoTopPublishedDepth(GNO_LIGHT, t_) : gnoTopLeastDepth(GNO_LIGHT, t_);
+    float reach_ = max(gnoLightScale(GNO_LIGHT, gnoFromLight(GNO_LIGHT, t_.a)),
+                       max(gnoLightScale(GNO_LIGHT, gnoFromLight(GNO_LIGHT, t_.b)), gnoLightScale(GNO_LIGHT, gnoFromLight(GNO_LIGHT, t_.c))));
+    GNO_TOP_LINKS[first_].aux = floatBitsToUint(depth_);
+    GNO_TOP_LINKS[first_ + 1u].aux = GNO_TOP_NONE;
+    GNO_TOP_LINKS[first_ + 2u].aux = facing_ == 0 ? GNO_TOP_LEFT_OUT_ : 0u;
+    GNO_TOP_LINKS[first_ + 3u].aux = floatBitsToUint(reach_);
+    GNO_TOP_PLANES[first_] = gnoTopLateralPlane(GNO_LIGHT, t_.a, t_.b, facing_, GNO_PRECISION);
+    GNO_TOP_PLANES[first_ + 1u] = gnoTopLateralPlane(GNO_LIGHT, t_.b, t_.c, facing_, GNO_PRECISION);
+    GNO_TOP_PLANES[first_ + 2u] = gnoTopLateralPlane(GNO_LIGHT, t_.c, t_.a, facing_, GNO_PRECISION);
+    GNO_TOP_PLANES[first_ + 3u] = gnoTopCapPlane(GNO_LIGHT, t_, facing_, GNO_PRECISION);
+}
+
+GNO_INLINE bool gnoTopInsert(uint caster_) {
+    uint first_ = 4u * caster_;
+    if (GNO_TOP_LINKS[first_ + 2u].aux == GNO_TOP_LEFT_OUT_) return false;  // written in dispatch 1 only
+    GnoCaster t_ = GNO_LOAD_CASTER(caster_);
+    vec3 q0_ = gnoFromLight(GNO_LIGHT, t_.a);
+    vec3 q1_ = gnoFromLight(GNO_LIGHT, t_.b);
+    vec3 q2_ = gnoFromLight(GNO_LIGHT, t_.c);
+    vec3 scales_ = vec3(gnoLightScale(GNO_LIGHT, q0_), gnoLightScale(GNO_LIGHT, q1_), gnoLightScale(GNO_LIGHT, q2_));
+    float spread_ = gnoTopSpread(GNO_LIGHT, q0_, q1_, q2_);
+    float depth_ = GNO_PRECISION == GNO_PRECISION_PUBLISHED ? gnoTopPublishedDepth(GNO_LIGHT, t_) : gnoTopLeastDepth(GNO_LIGHT, t_);
+    uint depthBits_ = floatBitsToUint(depth_);
+    uint ancestor_ = GNO_TOP_NONE;
+
+    uint node_ = atomicCompSwap(GNO_TOP_HEADER.root, GNO_TOP_NONE, first_);
+    while (node_ != GNO_TOP_NONE) {
+        GNO_COUNT(buildSteps, 1u);
+        bool cap_ = (node_ & 3u) == 3u;
+        if ((node_ & 3u) == 0u) atomicMin(GNO_TOP_LINKS[node_].aux, depthBits_);
+        vec4 plane_ = GNO_TOP_PLANES[node_];
+        vec3 sides_ = vec3(gnoTopSide(plane_, q0_), gnoTopSide(plane_, q1_), gnoTopSide(plane_, q2_));
+        vec3 margins_ = vec3(0.0f);
+        if (GNO_PRECISION != GNO_PRECISION_PUBLISHED) {
+            float reach_ = cap_ ? uintBitsToFloat(GNO_TOP_LINKS[node_].aux) : 0.0f;  // a cap's aux is written in dispatch 1 only
+            margins_ = vec3(gnoTopMargin(GNO_LIGHT, cap_, scales_.x, reach_), gnoTopMargin(GNO_LIGHT, cap_, scales_.y, reach_),
+                            gnoTopMargin(GNO_LIGHT, cap_, scales_.z, reach_));
+        }
+        bool below_ = sides_.x < -margins_.x && sides_.y < -margins_.y && sides_.z < -margins_.z;
+        bool above_ = sides_.x > margins_.x && sides_.y > margins_.y && sides_.z > margins_.z;
+        if (below_) {
+            if (cap_) {  // inside another shadow volume: nothing to add
+                GNO_COUNT(dropped, 1u);
+                return false;
+            }
+            ++node_;
+        } else if (above_) {
+            node_ = atomicCompSwap(GNO_TOP_LINKS[node_].positiveChild, GNO_TOP_NONE, first_);
+        } else {
+            GNO_COUNT(intersections, 1u);
+            if (!cap_) {  // the capping plane does not pass through the light: it has no wedge
+                float wedge_ = gnoTopWedge(GNO_LIGHT, sides_, scales_, depth_, spread_, GNO_PRECISION);
+                atomicMax(GNO_TOP_LINKS[node_].wedge, floatBitsToUint(wedge_));
+            }
+            ancestor_ = node_;
+            node_ = atomicCompSwap(GNO_TOP_LINKS[node_].intersectionChild, GNO_TOP_NONE, first_);
+        }
+    }
+    GNO_TOP_LINKS[first_ + 1u].aux = ancestor_;  // nobody reads it before the next dispatch
+    return true;
+}
+
+GNO_NAMESPACE_END
+#endif

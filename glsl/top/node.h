@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// gnomon top/node.h : how a TOP tree lies in memory; read by glslang and by C++20 (namespace gno).
+// After Mora, Gerhards, Aveneau, Ghazanfarpour, "Deep Partitioned Shadow Volumes Using Stackless and Hybrid Traversals", EGSR 2016,
+// section 3.6 (four consecutive nodes per shadow volume, the negative child is the next node, 128 bytes per caster).
+//
+// Caster c owns nodes 4c .. 4c+3: three shadow planes through the light and edges ab, bc, ca, then its capping plane. Nothing is allocated:
+// the place of a node follows from its caster. The 32 bytes of a node lie in two arrays of 16, so that one binding of 128 MiB
+// holds 2,097,152 casters, and what never changes is apart from what the build changes.
+//
+//   array    bytes        written by                       read by
+//   planes   64 n         set-up                           build, queries
+//   links    64 n         set-up; build (atomics only)     build (atomics only), queries
+//   header   16           set-up; build (atomics only)     queries
+//
+// GnoTopLink::aux holds one thing per volume, by the node's place in it:
+//   0  least depth of the casters in this subtree, float bits (gnoLightDepth, a lower bound; build: atomicMin)
+//   1  ancestor: the node whose intersection subtree this volume stands in, GNO_TOP_NONE in none (section 3.4)
+//   2  nothing
+//   3  reach: the caster's largest gnoLightScale, float bits
+#ifndef GNO_TOP_NODE_H
+#define GNO_TOP_NODE_H
+#include "../core/shared_types.h"
+GNO_NAMESPACE_BEGIN
+
+GNO_CONST uint GNO_TOP_NONE = 0xFFFFFFFFu;  // no child, no ancestor, empty tree
+
+struct GnoTopLink {          // std430, 16 bytes
+    uint positiveChild;      //  0  GNO_TOP_NONE when absent
+    uint intersectionChild;  //  4
+    uint aux;                //  8  see the table above
+    uint wedge;              // 12  float bits, >= 0: bound of |plane(q)| / gnoLightScale(q) over the intersection child's volumes
+};
+GNO_STRUCT_SIZE(GnoTopLink, 16)
+GNO_STRUCT_OFFSET(GnoTopLink, intersectionChild, 4)
+GNO_STRUCT_OFFSET(GnoTopLink, aux, 8)
+GNO_STRUCT_OFFSET(GnoTopLink, wedge, 12)
+
+struct GnoTopHeader {        // std430, 16 bytes
+    uint root;               //  0  GNO_TOP_NONE: an empty tree, everything is lit
+    uint casterCount;        //  4
+    uint unused0;            //  8
+    uint unused1;            // 12
+};
+GNO_STRUCT_SIZE(GnoTopHeader, 16)
+
+struct GnoTopNode {          // a value: one node as a query sees it
+    vec4 plane;              // xyz normal towards the positive side, w offset; in the coordinates of gnoFromLight
+    uint positiveChild;
+    uint intersectionChild;
+    uint aux;
+    float wedge;
+};
+
+#ifdef __cplusplus
+inline constexpr uint kTopGroupSize = 64;  ///< invocations per work group of set-up and build
+constexpr uint topGroupCount(uint casterCount) { return (casterCount + kTopGroupSize - 1) / kTopGroupSize; }
+constexpr std::uint64_t topPlaneBytes(std::uint64_t casterCount) { return 64 * (casterCount > 0 ? casterCount : 1); }
+constexpr std::uint64_t topLinkBytes(std::uint64_t casterCount) { return 64 * (casterCount > 0 ? casterCount : 1); }
+constexpr std::uint64_t topTreeBytes(std::uint64_t casterCount) { return topPlaneBytes(casterCount) + topLinkBytes(casterCount) + sizeof(GnoTopHeader); }
+#endif
+
+GNO_NAMESPACE_END
+#endif

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// gnomon top/plane.glsl : the planes of a shadow volume, how far fp32 can be trusted with them, and bounds of what lies behind a caster.
+// After Mora et al., EGSR 2016, section 3.1 (figure 2); margins, bands and bounds are this project's, derived below.
+//
+//   vec4  gnoTopLateralPlane(vec4 light, vec3 a, vec3 b, int facing, uint precision)   through the light and edge ab; inside is negative
+//   vec4  gnoTopCapPlane(vec4 light, GnoCaster t, int facing, uint precision)          the caster's own plane; the light's side is positive
+//   float gnoTopSide(vec4 plane, vec3 q)                   > 0: positive side
+//   float gnoTopBand(vec4 light, bool cap, float scale, float reach)       |side| <= band: the sign is not certain
+//   float gnoTopMargin(vec4 light, bool cap, float scale, float reach)     |side| > margin at all three vertices: so is the whole volume
+//   float gnoTopLeastDepth(vec4 light, GnoCaster t)        lower bound of gnoLightDepth over the caster, rounding included
+//   float gnoTopSpread(vec4 light, vec3 q0, vec3 q1, vec3 q2)              see gnoTopWedge
+//   float gnoTopWedge(...)                                 upper bound of |side(q)| / scale(q) over the caster's volume, rounding included
+//
+// Space      positions on the scene grid; q = gnoFromLight(p); facing = gnoFacing(light, t), never 0
+// Stages     any; pure. Requires #version 450, no extension
+//
+// The constants hold for the expressions as written, componentwise, without contraction. u = GNO_ULP = 2^-23 bounds the relative error of one
+// operation in any rounding mode, E = GNO_BAND = 8u. Grid coordinates keep every product far above the smallest normal number but for
+// cross products of tiny edges: planes of length below 2^-50 count as garbage, so flushed denormals cost nothing but certainty.
+//
+// 1. A plane. r and e are differences of grid points (relative error u each), m = fl(cross(r, e)). A component of m errs by at most
+//    (2u + u + u)(|r_y e_z| + |r_z e_y|) to first order; the vector of these sums is no longer than sqrt(2) |r||e|, so
+//    |m - N| <= 5.7u |r||e| <= err = 8u |r||e|, N the exact normal. Stored is n = m / (len kappa), kappa = (err/len + E) / E, len = |m|.
+// 2. Band, point light, lateral plane (passes through the light, offset 0). side = fl(n.q) errs by 3u|n||q| (products and sums), u|n||q| (q is
+//    rounded), u|n||q| (n's components are rounded): 5u|q|/kappa. So |side kappa len - N.q| <= (err/len + 5u) |q| len, and if the exact sign is
+//    not that of side, |side| <= (err/len + 5u)|q|/kappa < E|q|. The slack (3u, and 5.7 against 8 in err) covers len, kappa, and the band's own product.
+// 3. Margin, point light, lateral. All vertices have side > 3E|v|, hence exactly n.v > (3E - 5u)|v|. A point of the volume is q = sum l_i v_i, l_i >= 0:
+//    n.q > (3E - 5u)|q|, its computed side > (3E - 10u)|q| = 14u|q| > E|q|: it is outside the band, on the same side.
+// 4. Cap, point light. side = fl(n.q + d), d = fl(-n.a). Errors: 5u|q| + 6u reach (d's own dot product, a's rounding, the last sum), and
+//    (err/len)(|q| + reach) from m: below E(|q| + reach). Only "the whole volume is behind the cap" needs a margin (a caster in the positive child is
+//    visited from the band and from above): all vertices behind by more than 3E(|v| + reach) are exactly behind, the light is in front, so the volume
+//    - it starts at the caster and leads away from the light - is behind too.
+// 5. Directional light, S = GNO_SCENE_RADIUS. side = fl(n.p + d): 5uS against the stored plane, which errs against N by (err/len + 6u) 2S/kappa: band 2ES.
+//    N.D = 0, so |n.D'| <= (err/len + u)/kappa <= E for D' = D/|D|. A point of the volume is x - mu D', x in the caster, mu <= 2S: its computed side is
+//    above margin - 5uS - 2SE - 5uS > 2ES when the margin is 5.25ES; taken: 6ES. The same for the cap with margin 6ES.
+// 6. Wedge. o_i = computed sides of the vertices. Point: w = max |o_i|/|v_i|, c the unit sum of the vertices' directions, s = min c.v_i/|v_i|: for q = sum l_i v_i,
+//    |n.q| <= sum l_i |n.v_i| and |q| >= c.q >= s sum l_i |v_i|, so |side|/|q| <= (w + 10u + rounding)/s: (w + 2E)/(s - 2E) (s errs by 11u), used when s > 1/64. And with depth,
+//    a lower bound of the caster's distance: the volume's directions are the caster's, so (max |o_i| + 2E max |v_i|)/depth. Each is valid; the smaller is taken.
+//    Directional: |side| <= max |o_i| + 2SE + 10uS < max |o_i| + 6ES over the volume; divided by the scale S it is comparable in the same way.
+// 7. Least depth. Any vector g of length <= 1 + 4u bounds the distance from below by min g.v_i; minus 2E|v_i| (g.v errs by 4u|v|, |q| in the query by 4u|q|).
+//    Directional: min over the vertices of the depth, each side errs by at most 16u, so minus 5E.
+#ifndef GNO_TOP_PLANE_GLSL
+#define GNO_TOP_PLANE_GLSL
+#include "../core/light.glsl"
+#include "node.h"
+GNO_NAMESPACE_BEGIN
+
+GNO_CONST float GNO_TOP_NO_BOUND = 1e30f;
+
+// `published`: unit length. Otherwise scaled as (1) above, so that the band is GNO_BAND times the scale whatever the edge.
+GNO_INLINE vec3 gnoTopNormal_(vec3 r_, vec3 e_, uint precision_) {
+    vec3 m_ = gnoCross(r_, e_);
+    float length_ = gnoLength(m_);
+    if (precision_ == GNO_PRECISION_PUBLISHED) return length_ > 0.0f ? m_ * (1.0f / length_) : vec3(0.0f);
+    float error_ = 8.0f * GNO_ULP * gnoLength(r_) * gnoLength(e_);
+    if (!(error_ < length_) || length_ < 8.8817841970012523e-16f) return vec3(0.0f);  // 2^-50; everything is in the band
+    float kappa_ = (error_ / length_ + GNO_BAND) / GNO_BAND;
+    return m_ * (1.0f / (length_ * kappa_));
+}
+
+GNO_INLINE bool gnoTopLess_(vec3 a_, vec3 b_) {  // by x, then y, then z; -0 equals 0
+    if (a_.x != b_.x) return a_.x < b_.x;
+    if (a_.y != b_.y) return a_.y < b_.y;
+    return a_.z < b_.z;
+}
+
+// Two triangles that share an edge get the same plane, up to its sign: its end points are taken in lexicographic order.
+GNO_INLINE vec4 gnoTopLateralPlane(vec4 light_, vec3 a_, vec3 b_, int facing_, uint precision_) {
+    bool swap_ = gnoTopLess_(b_, a_);
+    vec3 first_ = swap_ ? b_ : a_;
+    vec3 second_ = swap_ ? a_ : b_;
+    precise float x_ = first_.x * light_.w - light_.x;  // from the light to the edge: first - L, or -D
+    precise float y_ = first_.y * light_.w - light_.y;
+    precise float z_ = first_.z * light_.w - light_.z;
+    vec3 n_ = gnoTopNormal_(vec3(x_, y_, z_), second_ - first_, precision_);
+    if (swap_ != (facing_ > 0)) n_ = -n_;
+    float offset_ = light_.w != 0.0f ? 0.0f : -gnoDot(n_, first_);
+    return vec4(n_, offset_);
+}
+
+GNO_INLINE vec4 gnoTopCapPlane(vec4 light_, GnoCaster t_, int facing_, uint precision_) {
+    vec3 n_ = gnoTopNormal_(t_.b - t_.a, t_.c - t_.a, precision_);
+    if (facing_ > 0) n_ = -n_;
+    return vec4(n_, -gnoDot(n_, gnoFromLight(light_, t_.a)));
+}
+
+GNO_INLINE float gnoTopSide(vec4 plane_, vec3 q_) {
+    precise float side_ = plane_.x * q_.x + plane_.y * q_.y + plane_.z * q_.z + plane_.w;
+    return side_;
+}
+
+GNO_INLINE float gnoTopBand(vec4 light_, bool cap_, float scale_, float reach_) {
+    if (light_.w == 0.0f) return 2.0f * GNO_BAND * GNO_SCENE_RADIUS;
+    return GNO_BAND * (cap_ ? scale_ + reach_ : scale_);
+}
+
+GNO_INLINE float gnoTopMargin(vec4 light_, bool cap_, float scale_, float reach_) {
+    if (light_.w == 0.0f) return 6.0f * GNO_BAND * GNO_SCENE_RADIUS;
+    return 3.0f * GNO_BAND * (cap_ ? scale_ + reach_ : scale_);
+}
+
+// The point of the triangle nearest to the origin, approximately (Ericson, Real-Time Collision Detection, 5.1.5). Any error only loosens a bound.
+GNO_INLINE vec3 gnoTopNearestPoint_(vec3 a_, vec3 b_, vec3 c_) {
+    vec3 ab_ = b_ - a_;
+    vec3 ac_ = c_ - a_;
+    float d1_ = -gnoDot(ab_, a_);
+    float d2_ = -gnoDot(ac_, a_);
+    if (d1_ <= 0.0f && d2_ <= 0.0f) return a_;
+    float d3_ = -gnoDot(ab_, b_);
+    float d4_ = -gnoDot(ac_, b_);
+    if (d3_ >= 0.0f && d4_ <= d3_) return b_;
+    float vc_ = d1_ * d4_ - d3_ * d2_;
+    if (vc_ <= 0.0f && d1_ >= 0.0f && d3_ <= 0.0f && d1_ - d3_ > 0.0f) return a_ + ab_ * (d1_ / (d1_ - d3_));
+    float d5_ = -gnoDot(ab_, c_);
+    float d6_ = -gnoDot(ac_, c_);
+    if (d6_ >= 0.0f && d5_ <= d6_) return c_;
+    float vb_ = d5_ * d2_ - d1_ * d6_;
+    if (vb_ <= 0.0f && d2_ >= 0.0f && d6_ <= 0.0f && d2_ - d6_ > 0.0f) return a_ + ac_ * (d2_ / (d2_ - d6_));
+    float va_ = d3_ * d6_ - d5_ * d4_;
+    float e_ = (d4_ - d3_) + (d5_ - d6_);
+    if (va_ <= 0.0f && d4_ - d3_ >= 0.0f && d5_ - d6_ >= 0.0f && e_ > 0.0f) return b_ + (c_ - b_) * ((d4_ - d3_) / e_);
+    float sum_ = va_ + vb_ + vc_;
+    if (!(sum_ > 0.0f)) return a_;
+    return a_ + ab_ * (vb_ / sum_) + ac_ * (vc_ / sum_);
+}
+
+// min over the vertices of g.v - 2E|v| for g = direction / |direction|; 0 when there is no direction.
+GNO_INLINE float gnoTopDepthAlong_(vec3 direction_, vec3 a_, vec3 b_, vec3 c_) {
+    float length_ = gnoLength(direction_);
+    if (!(length_ > 1e-15f)) return 0.0f;
+    vec3 g_ = direction_ * (1.0f / length_);
+    float bound_ = gnoDot(g_, a_) - 2.0f * GNO_BAND * gnoLength(a_);
+    bound_ = min(bound_, gnoDot(g_, b_) - 2.0f * GNO_BAND * gnoLength(b_));
+    return min(bound_, gnoDot(g_, c_) - 2.0f * GNO_BAND * gnoLength(c_));
+}
+
+GNO_INLINE float gnoTopLeastDepth(vec4 light_, GnoCaster t_) {
+    vec3 a_ = gnoFromLight(light_, t_.a);
+    vec3 b_ = gnoFromLight(light_, t_.b);
+    vec3 c_ = gnoFromLight(light_, t_.c);
+    if (light_.w == 0.0f) {
+        float least_ = min(gnoLightDepth(light_, a_), min(gnoLightDepth(light_, b_), gnoLightDepth(light_, c_)));
+        return max(0.0f, least_ - 5.0f * GNO_BAND);
+    }
+    float bound_ = gnoTopDepthAlong_(gnoTopNearestPoint_(a_, b_, c_), a_, b_, c_);
+    return max(0.0f, max(bound_, gnoTopDepthAlong_(a_ + b_ + c_, a_, b_, c_)));
+}
+
+// The distance of the nearest point as the paper has it (section 3.3): fp32, not a bound.
+GNO_INLINE float gnoTopPublishedDepth(vec4 light_, GnoCaster t_) {
+    vec3 a_ = gnoFromLight(light_, t_.a);
+    vec3 b_ = gnoFromLight(light_, t_.b);
+    vec3 c_ = gnoFromLight(light_, t_.c);
+    if (light_.w == 0.0f) return min(gnoLightDepth(light_, a_), min(gnoLightDepth(light_, b_), gnoLightDepth(light_, c_)));
+    return gnoLength(gnoTopNearestPoint_(a_, b_, c_));
+}
+
+// s of (6): how narrow the caster is, seen from the light; not positive when it has no use.
+GNO_INLINE float gnoTopSpread(vec4 light_, vec3 q0_, vec3 q1_, vec3 q2_) {
+    float l0_ = gnoLength(q0_);
+    float l1_ = gnoLength(q1_);
+    float l2_ = gnoLength(q2_);
+    if (light_.w == 0.0f || !(min(l0_, min(l1_, l2_)) > 1e-15f)) return 0.0f;
+    vec3 u0_ = q0_ * (1.0f / l0_);
+    vec3 u1_ = q1_ * (1.0f / l1_);
+    vec3 u2_ = q2_ * (1.0f / l2_);
+    vec3 sum_ = u0_ + u1_ + u2_;
+    float length_ = gnoLength(sum_);
+    if (!(length_ > 0.1f)) return 0.0f;
+    vec3 c_ = sum_ * (1.0f / length_);
+    return min(gnoDot(c_, u0_), min(gnoDot(c_, u1_), gnoDot(c_, u2_))) - 2.0f * GNO_BAND;
+}
+
+// sides, scales: gnoTopSide and gnoLightScale of the caster's three vertices; depth = gnoTopLeastDepth, spread = gnoTopSpread.
+GNO_INLINE float gnoTopWedge(vec4 light_, vec3 sides_, vec3 scales_, float depth_, float spread_, uint precision_) {
+    vec3 o_ = abs(sides_);
+    float widest_ = max(o_.x, max(o_.y, o_.z));
+    if (light_.w == 0.0f) {
+        float slack_ = precision_ == GNO_PRECISION_PUBLISHED ? 0.0f : 6.0f * GNO_BAND * GNO_SCENE_RADIUS;
+        return (widest_ + slack_) * ((1.0f + 4.0f * GNO_ULP) / GNO_SCENE_RADIUS);
+    }
+    float sine_ = max(o_.x / scales_.x, max(o_.y / scales_.y, o_.z / scales_.z));
+    if (!(min(scales_.x, min(scales_.y, scales_.z)) > 1e-15f)) return GNO_TOP_NO_BOUND;
+    if (precision_ == GNO_PRECISION_PUBLISHED) return sine_;  // vertices only: an arc between two of them may bulge beyond both
+    float farthest_ = max(scales_.x, max(scales_.y, scales_.z));
+    float bound_ = GNO_TOP_NO_BOUND;
+    if (spread_ > 0.015625f) bound_ = (sine_ + 2.0f * GNO_BAND) / spread_;
+    if (depth_ > 1e-12f) bound_ = min(bound_, (widest_ + 2.0f * GNO_BAND * farthest_) / depth_);
+    return bound_ * (1.0f + 16.0f * GNO_ULP);
+}
+
+GNO_NAMESPACE_END
+#endif

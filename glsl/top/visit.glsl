@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// gnomon top/visit.glsl : what one node of a TOP tree says about a point; shared by the three queries, not for use alone.
+//
+// Outside the band a plane's fp32 sign is certain: it routes, and it is the owner's decision. Inside a lateral plane's band the point lies in no
+// volume of the positive or the negative child (their margin is wider): the owner's volume is decided by the last word, then only the
+// intersection child is left. Inside the cap's band the positive child is left as well: the cap does not pass through the light, casters
+// in front of it do shadow points on it. The caster that a sample lies on never shadows it. `published` routes by the sign alone.
+//
+// Macro                        required  default                  meaning
+// GNO_TOP_LOAD_NODE(index)     yes       -                        GnoTopNode at index; index < node count, never GNO_TOP_NONE; no side effect
+// GNO_TOP_LOAD_ANCESTOR(index) yes       -                        ancestor link of the volume that node index belongs to
+// GNO_TOP_ROOT                 no        0u                       index of the root; GNO_TOP_NONE means an empty tree: everything is lit
+// GNO_LIGHT                    yes       -                        vec4, homogeneous (core/light.glsl)
+// GNO_LOAD_CASTER(index)       yes       -                        GnoCaster, on the scene grid
+// GNO_PRECISION                no        GNO_PRECISION_CERTIFIED  rung of the ladder; the one the tree was built with
+// GNO_TOP_DEPTH_TEST           no        1                        1: skip subtrees that lie farther from the light than the point; 0: visit them
+#ifndef GNO_TOP_VISIT_GLSL
+#define GNO_TOP_VISIT_GLSL
+#include "../core/counters.glsl"
+#include "../core/decide.glsl"
+#include "plane.glsl"
+#if !defined(GNO_TOP_LOAD_NODE) || !defined(GNO_TOP_LOAD_ANCESTOR)
+#error "top: define GNO_TOP_LOAD_NODE(index) and GNO_TOP_LOAD_ANCESTOR(index) or include top/bindings.glsl before this file"
+#endif
+#ifndef GNO_LIGHT
+#error "top: define GNO_LIGHT, a homogeneous vec4"
+#endif
+#ifndef GNO_LOAD_CASTER
+#error "top: define GNO_LOAD_CASTER(index) or include core/bindings.glsl before this file"
+#endif
+#ifndef GNO_TOP_ROOT
+#define GNO_TOP_ROOT 0u
+#endif
+#ifndef GNO_PRECISION
+#define GNO_PRECISION GNO_PRECISION_CERTIFIED
+#endif
+#ifndef GNO_TOP_DEPTH_TEST
+#define GNO_TOP_DEPTH_TEST 1
+#endif
+GNO_NAMESPACE_BEGIN
+
+struct GnoTopPoint_ {  // a view sample, seen from the light
+    vec3 position;
+    uint own;
+    vec3 q;
+    float scale;
+    float depth;
+};
+
+GNO_INLINE GnoTopPoint_ gnoTopPoint_(GnoViewSample s_) {
+    GnoTopPoint_ point_;
+    point_.position = s_.position;
+    point_.own = s_.own;
+    point_.q = gnoFromLight(GNO_LIGHT, s_.position);
+    point_.scale = gnoLightScale(GNO_LIGHT, point_.q);
+    point_.depth = gnoLightDepth(GNO_LIGHT, point_.q);
+    return point_;
+}
+
+// The whole subtree lies farther from the light than the point. Only a volume's first node knows.
+GNO_INLINE bool gnoTopFarther_(GnoTopPoint_ point_, GnoTopNode node_, uint index_) {
+    return GNO_TOP_DEPTH_TEST != 0 && (index_ & 3u) == 0u && point_.depth < uintBitsToFloat(node_.aux);
+}
+
+GNO_INLINE bool gnoTopMeetsIntersection_(GnoTopPoint_ point_, GnoTopNode node_, uint index_, float side_) {
+    if (node_.intersectionChild == GNO_TOP_NONE) return false;
+    return (index_ & 3u) == 3u || abs(side_) <= node_.wedge * point_.scale;
+}
+
+const uint GNO_TOP_SHADOW_ = 0xFFFFFFFEu;  // what gnoTopNext_ returns for "in the owner's volume"
+
+// The next node apart from the intersection child: GNO_TOP_NONE when there is none, GNO_TOP_SHADOW_ when the search is over.
+GNO_INLINE uint gnoTopNext_(GnoTopPoint_ point_, GnoTopNode node_, uint index_, float side_) {
+    bool cap_ = (index_ & 3u) == 3u;
+    if (GNO_PRECISION == GNO_PRECISION_PUBLISHED) {
+        if (side_ > 0.0f) return node_.positiveChild;
+        return cap_ ? GNO_TOP_SHADOW_ : index_ + 1u;
+    }
+    uint owner_ = index_ >> 2;
+    if (abs(side_) <= gnoTopBand(GNO_LIGHT, cap_, point_.scale, cap_ ? uintBitsToFloat(node_.aux) : 0.0f)) {
+        if (owner_ != point_.own) {
+            GNO_COUNT(exactCalls, 1u);
+            if (gnoDecideInShadow(GNO_LIGHT, GNO_LOAD_CASTER(owner_), point_.position, GNO_PRECISION)) return GNO_TOP_SHADOW_;
+        }
+        return cap_ ? node_.positiveChild : GNO_TOP_NONE;
+    }
+    if (side_ > 0.0f) return node_.positiveChild;
+    if (!cap_) return index_ + 1u;
+    return owner_ != point_.own ? GNO_TOP_SHADOW_ : node_.positiveChild;
+}
+
+GNO_NAMESPACE_END
+#endif

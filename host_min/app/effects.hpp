@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What a scene calls for. An effect that it does not call for costs nothing: no pass, no buffer, no instruction.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "host_min/scene/scene.hpp"
+#include "host_min/techniques/technique.hpp"
+
+namespace gno::host {
+
+struct Effect {
+    std::string name;        ///< of the record: point_light, open_casters, …
+    std::string because;     ///< what in the scene calls for it
+    std::string switchesOn;  ///< what is built for it
+};
+
+/// Effects of one frame; `light` < 0: of all its lights.
+std::vector<Effect> effectsOf(const SceneFile& file, const Frame& frame, int light);
+
+/// What `auto` runs, and why.
+struct Choice {
+    Technique* technique;
+    std::string why;
+};
+Choice chooseAutomatically(const Frame& frame, Precision precision);
+
+/// `gnomon effects`.
+void printEffects(const SceneFile& file, const Frame& frame);
+
+}  // namespace gno::host

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "host_min/app/shade.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "host_min/app/effects.hpp"
+#include "host_min/app/interrupt.hpp"
+#include "host_min/app/outputs.hpp"
+#include "host_min/error.hpp"
+#include "host_min/oracle.hpp"
+#include "host_min/output/atomic_file.hpp"
+#include "host_min/output/table.hpp"
+#include "host_min/techniques/measure.hpp"
+
+namespace gno::host {
+namespace {
+
+/// Time of a bare full-screen pass that reads the samples and writes a mask.
+double measureFloor(const FrameInputs& inputs, uint32_t repeat) {
+    const Image visibility(inputs.device(), inputs.width(), inputs.height(), vk::Format::eR32Uint);
+    const ExamplePush push = inputs.push();
+    const std::array resources{Binding{"gnoSamples", &inputs.samples()}, Binding{"gnoVisibility", &visibility}};
+    {
+        Recording recording(inputs.device());
+        recording.toGeneral(visibility);
+        recording.submit();
+    }
+    const auto times = measure(inputs.device(), std::max(repeat, 3u), true, [&](Recording& recording) {
+        recording.beginPass("floor");
+        inputs.passes().compute("core/examples/floor.comp").dispatch(recording, resources, std::as_bytes(std::span(&push, 1)), (inputs.width() + 7) / 8, (inputs.height() + 7) / 8);
+        recording.endPass();
+    });
+    return times.front().ms;
+}
+
+OracleAnswer askOracle(Oracle& oracle, const FrameInputs& inputs, Progress& progress) {
+    const std::vector<uint8_t> casters = inputs.definitionCasters();
+    std::vector<OracleSample> samples;
+    samples.reserve(inputs.sampleCount());
+    for (const OracleSample& pixel : inputs.pixels())
+        if (pixel.own <= GNO_NO_CASTER) samples.push_back(pixel);
+    return oracle.ask({inputs.frame().triangles, casters, inputs.light(), samples}, [&](double fraction) {
+        throwIfInterrupted();
+        progress.show("oracle", fraction);
+    });
+}
+
+RecordCheck compare(const std::vector<uint32_t>& visibility, const FrameInputs& inputs, const OracleAnswer& answer) {
+    RecordCheck check;
+    size_t sample = 0;
+    for (size_t pixel = 0; pixel < visibility.size(); ++pixel) {
+        if (inputs.pixels()[pixel].own > GNO_NO_CASTER) continue;
+        const bool want = answer.inShadow[sample++] != 0;
+        ++check.checked;
+        if (visibility[pixel] == (want ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT)) continue;
+        ++check.wrong;
+        check.leaks += want;
+        check.falseDark += !want;
+    }
+    check.self = answer.selfShadowed;
+    check.witness = answer.witnessDisagreements;
+    return check;
+}
+
+Record makeRecord(const ShadeOptions& options, const FrameInputs& inputs, const Technique& technique, const TechniqueResult& result) {
+    Record record;
+    record.scene = options.scene.string();
+    record.technique = technique.info().name;
+    record.precision = name(options.precision);
+    record.settings = Settings(technique.info().settings, options.settings).json();
+    record.settings.update(Settings(frameSettings(), options.settings).json());
+    const DeviceFacts& device = inputs.device().facts();
+    record.device = {device.deviceName, fmt::format("{} {}", device.driverName, device.driverInfo), device.subgroupSize};
+    record.size = {inputs.width(), inputs.height()};
+    record.triangles = inputs.triangleCount();
+    record.casters = inputs.casterCount();
+    record.samples = inputs.sampleCount();
+    record.inShadow = uint64_t(std::count(result.visibility.begin(), result.visibility.end(), GNO_VISIBILITY_SHADOW));
+    record.passes = result.passes;
+    record.bytes = result.bytes;
+    record.counters = result.counters;
+    return record;
+}
+
+Cull cullByName(const std::string& word) { return word == "front" ? Cull::front : word == "hull" ? Cull::hull : word == "all" ? Cull::all : Cull::none; }
+
+}  // namespace
+
+bool shade(const ShadeOptions& options) {
+    std::string leftOut;
+    std::vector<Technique*> chosen = chooseTechniques(options, leftOut);
+    const Cull cull = cullByName(Settings(frameSettings(), options.settings).word("cull"));
+    const std::unique_ptr<Oracle> oracle = options.check ? makeOracle() : nullptr;
+    if (options.check && !oracle) throw InputError("--check: this build has no oracle; configure with GNOMON_VALIDATION=ON");
+
+    Progress progress;
+    progress.show("loading");
+    const SceneFile file = SceneFile::load(options.scene);
+    const uint32_t lightCount = file.lightCount();
+    if (options.camera >= file.cameraCount()) throw InputError(fmt::format("--camera {}: the scene has {} (0..{})", options.camera, file.cameraCount(), file.cameraCount() - 1));
+    if (options.light && *options.light >= lightCount) throw InputError(fmt::format("--light {}: the scene has {} (0..{})", *options.light, lightCount, lightCount - 1));
+    const Device device(DeviceOptions::fromEnvironment());
+    checkSize(device.facts(), options.width, options.height);
+    PassCache passes(device);
+    std::vector<Record> records;
+    if (!leftOut.empty()) fmt::print("{}\n", leftOut);
+
+    for (uint32_t number = options.firstFrame; number <= options.lastFrame; ++number) {
+        throwIfInterrupted();
+        progress.show("scene");
+        const Frame frame = file.evaluate(number, options.camera);
+        if (options.techniques.empty() && !options.allTechniques) {
+            const Choice choice = chooseAutomatically(frame, options.precision);
+            if (number == options.firstFrame) fmt::print("auto: {}\n", choice.why);
+            chosen = {choice.technique};
+        }
+        FrameInputs inputs(passes, frame, options.width, options.height);
+        for (uint32_t light = options.light.value_or(0); light <= options.light.value_or(lightCount - 1); ++light) {
+            progress.show("view samples");
+            inputs.setLight(light, cull);
+            const double floorMs = measureFloor(inputs, options.repeat);
+            std::optional<OracleAnswer> answer;
+            if (oracle) answer = askOracle(*oracle, inputs, progress);
+            StructureCache structures;
+            FrameOutputs outputs(options, inputs, file, number, light);
+            const size_t firstRecord = records.size();
+            for (Technique* technique : chosen) {
+                throwIfInterrupted();
+                progress.show(technique->info().name);
+                const TechniqueResult result = technique->run(inputs, structures, Settings(technique->info().settings, options.settings),
+                                                              {options.precision, options.repeat, true, options.dump});
+                Record record = makeRecord(options, inputs, *technique, result);
+                record.frame = number;
+                record.light = light;
+                record.floorMs = floorMs;
+                for (const Effect& effect : effectsOf(file, frame, int(light))) record.effects.push_back(effect.name);
+                if (answer) record.check = compare(result.visibility, inputs, *answer);
+                outputs.add(*technique, result, answer ? &*answer : nullptr);
+                records.push_back(std::move(record));
+            }
+            throwIfInterrupted();
+            progress.show("writing");
+            outputs.write();
+            progress.clear();
+            fmt::print("{}", formatTable(std::span(records).subspan(firstRecord), wantsColor(1)));
+            std::fflush(stdout);
+        }
+    }
+    if (!options.json.empty()) writeRecords(options.json, records);
+    return device.validationMessages() == 0;
+}
+
+}  // namespace gno::host

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "host_min/frame/inputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "glsl/top/node.h"
+#include "host_min/error.hpp"
+#include "host_min/frame/cull_hull.hpp"
+
+namespace gno::host {
+namespace {
+
+constexpr uint32_t kMaxSide = 8192;
+constexpr uint32_t kGroup = 64;  // of caster_state.comp
+
+std::vector<uint32_t> closedBits(const Frame& frame) {
+    std::vector<uint32_t> bits((frame.triangles.size() + 31) / 32, 0);
+    for (size_t i = 0; i < frame.closed.size(); ++i)
+        if (frame.closed[i]) bits[i / 32] |= 1u << (i % 32);
+    return bits;
+}
+
+/// Sign of det[b - a, c - a, l - a * w] on the grid: > 0, the light sees the front. Integers, independent of the shader.
+int frontSign(const Triangle& t, glm::vec4 light) {
+    using Wide = __int128;
+    const auto fixed = [](float v) { return int64_t(std::ldexp(double(v), kGridBits)); };
+    const auto sub = [&](glm::vec3 p, glm::vec3 q) { return std::array<Wide, 3>{fixed(p.x) - fixed(q.x), fixed(p.y) - fixed(q.y), fixed(p.z) - fixed(q.z)}; };
+    const auto u = sub(t.b, t.a), v = sub(t.c, t.a), w = sub(glm::vec3(light), t.a * light.w);
+    const Wide d = u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0]);
+    return d > 0 ? 1 : d < 0 ? -1 : 0;
+}
+
+}  // namespace
+
+void checkSize(const DeviceFacts& device, uint64_t width, uint64_t height) {
+    const uint32_t limit = std::min(kMaxSide, device.maxImageDimension2D);
+    if (width < 1 || height < 1) throw InputError(fmt::format("--size {}x{}: both must be at least 1", width, height));
+    if (width > limit || height > limit) throw InputError(fmt::format("--size {}x{} is over the limit of {}x{}", width, height, limit, limit));
+}
+
+FrameInputs::FrameInputs(PassCache& passes, const Frame& frame, uint32_t width, uint32_t height)
+    : passes_(passes),
+      frame_(frame),
+      width_(width),
+      height_(height),
+      casters_(passes.device(), frame.triangles.size() * sizeof(Triangle)),
+      states_(passes.device(), frame.triangles.size() * 4),
+      closed_(passes.device(), (frame.triangles.size() + 31) / 32 * 4),
+      camera_(passes.device(), sizeof(glm::mat4), vk::BufferUsageFlagBits::eUniformBuffer),
+      planes_(passes.device(), kMaxCullPlanes * sizeof(glm::vec4), vk::BufferUsageFlagBits::eUniformBuffer),
+      positions_(passes.device(), width, height, vk::Format::eR32G32B32A32Sfloat),
+      normals_(passes.device(), width, height, vk::Format::eR32G32B32A32Sfloat),
+      primitives_(passes.device(), width, height, vk::Format::eR32Uint),
+      depth_(passes.device(), width, height, vk::Format::eD32Sfloat),
+      samples_(passes.device(), width, height, vk::Format::eR32G32B32A32Uint) {
+    if (topLinkBytes(frame.triangles.size()) > device().facts().maxStorageBufferRange)
+        throw InputError(fmt::format("{} triangles are over the limit of {} that the device's maxStorageBufferRange sets", frame.triangles.size(),
+                                     device().facts().maxStorageBufferRange / 64));
+    casters_.upload(std::span(frame.triangles));
+    closed_.upload(std::span<const uint32_t>(closedBits(frame)));
+    const glm::mat4 clip(frame.camera.clipFromGrid(double(width) / height));
+    camera_.upload(std::span(&clip, 1));
+
+    const std::array formats{positions_.format(), normals_.format(), primitives_.format()};
+    const RasterPass& pass = passes.raster("core/examples/gbuffer.vert", "core/examples/gbuffer.frag", formats, true);
+    const std::array targets{RasterPass::Target{&positions_, vk::ClearColorValue(0.f, 0.f, 0.f, 0.f)},
+                             RasterPass::Target{&normals_, vk::ClearColorValue(0.f, 0.f, 0.f, 0.f)},
+                             RasterPass::Target{&primitives_, vk::ClearColorValue(GNO_BACKGROUND, 0u, 0u, 0u)}};
+    const std::array resources{Binding{"gnoCasters", &casters_}, Binding{"gnoCamera", &camera_}};
+    const ExamplePush constants = push();
+    Recording recording(device());
+    for (const Image* image : {&positions_, &normals_, &primitives_, &depth_, &samples_}) recording.toGeneral(*image);
+    pass.draw(recording, targets, &depth_, resources, std::as_bytes(std::span(&constants, 1)), 3 * triangleCount());
+    recording.submit();
+}
+
+void FrameInputs::setLight(uint32_t index, Cull cull) {
+    light_ = frame_.lights.at(index).homogeneous;
+    cull_ = cull;
+    const std::vector<glm::vec4> hull = cullHull(frame_.camera, double(width_) / height_, light_);
+    planes_.upload(std::span(hull));
+    planeCount_ = uint32_t(hull.size());
+    const ExamplePush constants = push();
+    const auto bytes = std::as_bytes(std::span(&constants, 1));
+
+    const ComputePass& casterPass = passes_.compute("core/examples/caster_state.comp");
+    const ComputePass& samplePass = passes_.compute("core/examples/view_samples.comp");
+    const std::array casterBindings{Binding{"gnoCasters", &casters_}, Binding{"gnoClosed", &closed_}, Binding{"gnoStates", &states_},
+                                    Binding{"gnoCullPlanes", &planes_}};
+    const std::array sampleBindings{Binding{"gnoCasters", &casters_}, Binding{"gnoPositions", &positions_}, Binding{"gnoPrimitives", &primitives_},
+                                    Binding{"gnoSamples", &samples_}};
+    for (int warm = 0; warm < 2; ++warm) {  // the first run of a pipeline holds its compilation
+        Recording recording(device());
+        recording.beginPass(casterSetUp_.name);
+        casterPass.dispatch(recording, casterBindings, bytes, (triangleCount() + kGroup - 1) / kGroup);
+        recording.endPass();
+        samplePass.dispatch(recording, sampleBindings, bytes, (width_ + 7) / 8, (height_ + 7) / 8);
+        casterSetUp_ = recording.submit().front();
+    }
+
+    const auto texels = samples_.downloadAs<glm::uvec4>();
+    pixels_.resize(texels.size());
+    sampleCount_ = facingAwayCount_ = 0;
+    for (size_t i = 0; i < texels.size(); ++i) {
+        pixels_[i] = {{std::bit_cast<float>(texels[i].x), std::bit_cast<float>(texels[i].y), std::bit_cast<float>(texels[i].z)}, texels[i].w};
+        sampleCount_ += texels[i].w <= GNO_NO_CASTER;
+        facingAwayCount_ += texels[i].w == GNO_FACING_AWAY;
+    }
+    const auto states = states_.downloadAs<uint32_t>();
+    casterCount_ = uint64_t(std::count_if(states.begin(), states.begin() + triangleCount(), [](uint32_t s) { return (s & 4u) != 0; }));
+}
+
+ExamplePush FrameInputs::push(uint32_t seed) const {
+    return {light_, viewer(), {width_, height_}, triangleCount(), seed, uint32_t(cull_), planeCount_};
+}
+
+std::vector<uint8_t> FrameInputs::definitionCasters() const {
+    if ((uint32_t(cull_) & uint32_t(Cull::front)) == 0) return {};
+    std::vector<uint8_t> result(frame_.triangles.size(), 1);
+    for (size_t i = 0; i < result.size(); ++i) result[i] = !(frame_.closed[i] && frontSign(frame_.triangles[i], light_) > 0);
+    return result;
+}
+
+}  // namespace gno::host

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "host_min/error.hpp"
+#include "host_min/techniques/technique.hpp"
+#include "host_min/techniques/top.hpp"
+
+namespace gno::host {
+
+const std::vector<std::unique_ptr<Technique>>& techniques() {
+    static const auto list = [] {
+        std::vector<std::unique_ptr<Technique>> made;
+        for (const TopQuery query : {TopQuery::psv, TopQuery::dPsv, TopQuery::dStackless, TopQuery::dHybrid}) made.push_back(makeTopTechnique(query));
+        return made;
+    }();
+    return list;
+}
+
+const std::vector<std::pair<std::string, std::string>>& plannedTechniques() {
+    static const std::vector<std::pair<std::string, std::string>> list{
+        {"ptsv", "per-triangle shadow volumes with a view-sample cluster hierarchy, 2014"},
+        {"ptsv-2011", "the same with the two-dimensional hierarchy of 2011"},
+        {"zpass", "stencil shadow volumes, depth pass"},
+        {"zfail", "stencil shadow volumes, depth fail"},
+        {"zp+", "stencil shadow volumes, ZP+"},
+        {"++zp", "stencil shadow volumes, ++ZP"},
+        {"atomic-zp", "stencil shadow volumes, AtomicZP 2019"},
+        {"shadow-map", "shadow maps, with caster culling of 2011"},
+        {"forest", "a cube map of small TOP trees"},
+        {"light-bvh", "light-space bounding volume hierarchy"},
+        {"light-grid", "caster lists by light direction"},
+        {"ray-query", "VK_KHR_ray_query"}};
+    return list;
+}
+
+Technique& techniqueByName(const std::string& name) {
+    std::vector<std::string> names;
+    for (const auto& technique : techniques()) {
+        if (technique->info().name == name) return *technique;
+        names.push_back(technique->info().name);
+    }
+    for (const auto& [planned, what] : plannedTechniques())
+        if (planned == name) throw InputError(fmt::format("technique {} ({}) is not in this build yet; there are: {}", name, what, fmt::join(names, ", ")));
+    throw InputError(fmt::format("no technique is called {}; there are: {}", name, fmt::join(names, ", ")));
+}
+
+const std::vector<SettingInfo>& frameSettings() {
+    static const std::vector<SettingInfo> list{
+        {"cull", "casters left out: front (those of closed meshes that face the light), hull (outside the hull of view and light)", 0, 0,
+         {"none", "front", "hull", "all"}, "none"}};
+    return list;
+}
+
+const char* name(Precision precision) {
+    switch (precision) {
+        case Precision::published: return "published";
+        case Precision::conservative: return "conservative";
+        case Precision::certified: return "certified";
+    }
+    return "";
+}
+
+Precision precisionByName(const std::string& text) {
+    for (const Precision precision : {Precision::published, Precision::conservative, Precision::certified})
+        if (text == name(precision)) return precision;
+    throw InputError(fmt::format("--precision {}: must be published, conservative or certified", text));
+}
+
+}  // namespace gno::host

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The four queries of "Deep Partitioned Shadow Volumes" over one TOP tree.
+#pragma once
+#include <memory>
+
+#include "host_min/techniques/technique.hpp"
+
+namespace gno::host {
+
+enum class TopQuery { psv, dPsv, dStackless, dHybrid };
+
+std::unique_ptr<Technique> makeTopTechnique(TopQuery query);
+
+}  // namespace gno::host

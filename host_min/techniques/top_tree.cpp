@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "host_min/techniques/top_tree.hpp"
+
+#include <array>
+
+#include "host_min/techniques/measure.hpp"
+
+namespace gno::host {
+
+TopTree::TopTree(const FrameInputs& inputs, const TopTreeOptions& options)
+    : planes_(inputs.device(), topPlaneBytes(inputs.triangleCount())),
+      links_(inputs.device(), topLinkBytes(inputs.triangleCount())),
+      header_(inputs.device(), sizeof(GnoTopHeader)) {
+    if (options.counters) {
+        Buffer totals(inputs.device(), 5 * 4);
+        totals.fill(0);
+        Recording recording(inputs.device());
+        record(recording, inputs, options, &totals);
+        recording.submit();
+        const auto words = totals.downloadAs<uint32_t>();
+        counters_ = {uint64_t(words[1]) << 32 | words[0], words[2], words[3], words[4]};
+    }
+    passes_.push_back({inputs.casterSetUp().name, inputs.casterSetUp().ms});
+    for (const PassTime& pass : measure(inputs.device(), options.repeat, true, [&](Recording& r) { record(r, inputs, options, nullptr); }))
+        passes_.push_back({pass.name, pass.ms});
+}
+
+uint64_t TopTree::bytes() const { return planes_.bytes() + links_.bytes() + header_.bytes(); }
+
+void TopTree::record(Recording& recording, const FrameInputs& inputs, const TopTreeOptions& options, const Buffer* totals) const {
+    const Specialization constants{{0, uint32_t(options.precision)}, {10, options.groupSize}};
+    const std::string suffix = totals ? ".counters" : "";
+    const ComputePass& setUp = inputs.passes().compute("top/examples/set_up.comp" + suffix, constants);
+    const ComputePass& build = inputs.passes().compute("top/examples/build.comp" + suffix, constants);
+    const ExamplePush push = inputs.push(options.seed);
+    const auto bytes = std::as_bytes(std::span(&push, 1));
+    const uint32_t groups = (inputs.triangleCount() + options.groupSize - 1) / options.groupSize;
+    const std::array resources{Binding{"gnoCasters", &inputs.casters()}, Binding{"gnoStates", &inputs.states()},       Binding{"gnoTopPlanes", &planes_},
+                               Binding{"gnoTopLinks", &links_},          Binding{"gnoTopHeader", &header_},
+                               Binding{"gnoTotals", totals ? totals : &header_}};
+    recording.beginPass("top_setup");
+    setUp.dispatch(recording, resources, bytes, groups);
+    recording.endPass();
+    recording.beginPass("top_build");
+    build.dispatch(recording, resources, bytes, groups);
+    recording.endPass();
+}
+
+}  // namespace gno::host

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Compute and graphics passes. Pipeline layouts come from the SPIR-V, resources are given by their names in the shader, so a module whose
+// binding numbers were overridden needs no change here. The caller records and submits; a pass adds no barrier of its own.
+#pragma once
+#include <initializer_list>
+#include <map>
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "host_min/vulkan/shader.hpp"
+
+namespace gno::host {
+
+class Buffer;
+class Device;
+class Image;
+class Recording;
+
+struct Binding {
+    std::string_view name;
+    std::variant<const Buffer*, const Image*> resource;
+};
+
+using Specialization = std::map<uint32_t, uint32_t>;  ///< constant id -> 32-bit value; ids that the shader lacks are ignored
+
+/// Descriptor set layouts and pipeline layout of one or two shader stages.
+class PassLayout {
+public:
+    PassLayout(const Device& device, std::span<const ShaderInterface> stages);
+    [[nodiscard]] vk::PipelineLayout handle() const { return *layout_; }
+    /// Allocates, fills and binds all sets, and pushes `push`. Every binding of the shader must be given; others are ignored.
+    void bind(Recording& recording, vk::PipelineBindPoint point, std::span<const Binding> resources, std::span<const std::byte> push) const;
+
+private:
+    const Device* device_;
+    std::vector<ShaderBinding> bindings_;
+    vk::ShaderStageFlags pushStages_;
+    uint32_t pushBytes_ = 0;
+    std::vector<vk::raii::DescriptorSetLayout> sets_;
+    vk::raii::PipelineLayout layout_{nullptr};
+};
+
+class ComputePass {
+public:
+    ComputePass(const Device& device, std::string_view shader, const Specialization& constants = {});
+    ComputePass(const Device& device, std::span<const uint32_t> spirv, const Specialization& constants = {});
+    void dispatch(Recording& recording, std::span<const Binding> resources, std::span<const std::byte> push, uint32_t groupsX, uint32_t groupsY = 1) const;
+
+private:
+    PassLayout layout_;
+    vk::raii::Pipeline pipeline_{nullptr};
+};
+
+/// A vertex and a fragment shader over colour attachments and, with depth, a reversed depth buffer (clear 0, greater passes). Triangles, no culling.
+class RasterPass {
+public:
+    RasterPass(const Device& device, std::string_view vertex, std::string_view fragment, std::span<const vk::Format> colors, bool depth,
+               const Specialization& constants = {});
+    struct Target {
+        const Image* image;
+        vk::ClearColorValue clear;
+    };
+    /// Clears the attachments (in the general layout) and draws `vertices` vertices.
+    void draw(Recording& recording, std::span<const Target> colors, const Image* depth, std::span<const Binding> resources, std::span<const std::byte> push,
+              uint32_t vertices) const;
+
+private:
+    PassLayout layout_;
+    vk::raii::Pipeline pipeline_{nullptr};
+};
+
+}  // namespace gno::host

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "host_min/vulkan/recording.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "host_min/error.hpp"
+#include "host_min/vulkan/image.hpp"
+
+namespace gno::host {
+namespace {
+constexpr uint32_t kMaxPasses = 32;
+constexpr uint32_t kSetsPerPool = 16;
+}  // namespace
+
+Recording::Recording(const Device& device)
+    : device_(device), pool_(device.handle(), vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient, device.queueFamily())) {
+    commands_ = std::move(vk::raii::CommandBuffers(device.handle(), {*pool_, vk::CommandBufferLevel::ePrimary, 1}).front());
+    commands_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+}
+
+vk::DescriptorSet Recording::allocateSet(vk::DescriptorSetLayout layout) {
+    const auto allocate = [&] {
+        const vk::DescriptorSetAllocateInfo info(*descriptorPools_.back(), layout);
+        return (*device_.handle()).allocateDescriptorSets(info, *device_.handle().getDispatcher()).front();  // freed with its pool
+    };
+    if (!descriptorPools_.empty()) {
+        try {
+            return allocate();
+        } catch (const vk::OutOfPoolMemoryError&) {  // take another pool
+        }
+    }
+    const std::array sizes{vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, 8 * kSetsPerPool),
+                           vk::DescriptorPoolSize(vk::DescriptorType::eUniformBuffer, 2 * kSetsPerPool),
+                           vk::DescriptorPoolSize(vk::DescriptorType::eStorageImage, 4 * kSetsPerPool)};
+    descriptorPools_.emplace_back(device_.handle(), vk::DescriptorPoolCreateInfo({}, kSetsPerPool, sizes));
+    return allocate();
+}
+
+void Recording::barrier() {
+    using Stage = vk::PipelineStageFlagBits2;
+    using Access = vk::AccessFlagBits2;
+    const vk::MemoryBarrier2 memory(Stage::eAllCommands, Access::eMemoryWrite, Stage::eAllCommands, Access::eMemoryRead | Access::eMemoryWrite);
+    commands_.pipelineBarrier2(vk::DependencyInfo({}, memory));
+}
+
+void Recording::toGeneral(const Image& image) {
+    using Stage = vk::PipelineStageFlagBits2;
+    using Access = vk::AccessFlagBits2;
+    const vk::ImageMemoryBarrier2 transition(Stage::eAllCommands, Access::eMemoryWrite, Stage::eAllCommands, Access::eMemoryRead | Access::eMemoryWrite,
+                                             vk::ImageLayout::eUndefined, vk::ImageLayout::eGeneral, VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
+                                             image.handle(), {image.aspect(), 0, 1, 0, 1});
+    commands_.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, transition));
+}
+
+void Recording::beginPass(std::string name) {
+    if (passes_.empty()) {
+        queries_ = vk::raii::QueryPool(device_.handle(), vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, 2 * kMaxPasses));
+        commands_.resetQueryPool(*queries_, 0, 2 * kMaxPasses);
+    }
+    if (passes_.size() == kMaxPasses) throw WorkError("more passes in one recording than time stamps");
+    barrier();
+    commands_.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *queries_, uint32_t(2 * passes_.size()));
+    passes_.push_back(std::move(name));
+}
+
+void Recording::endPass() {
+    commands_.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *queries_, uint32_t(2 * passes_.size() - 1));
+    barrier();
+}
+
+std::vector<PassTime> Recording::submit() {
+    using Stage = vk::PipelineStageFlagBits2;
+    using Access = vk::AccessFlagBits2;
+    const vk::MemoryBarrier2 toHost(Stage::eAllCommands, Access::eMemoryWrite, Stage::eHost, Access::eHostRead);
+    commands_.pipelineBarrier2(vk::DependencyInfo({}, toHost));
+    commands_.end();
+    const vk::CommandBufferSubmitInfo buffer(*commands_);
+    const vk::raii::Fence fence(device_.handle(), vk::FenceCreateInfo());
+    try {
+        device_.queue().submit2(vk::SubmitInfo2({}, {}, buffer), *fence);
+        if (device_.handle().waitForFences(*fence, VK_TRUE, UINT64_MAX) != vk::Result::eSuccess) throw WorkError("waiting for the device failed");
+    } catch (const vk::SystemError& error) {
+        throw WorkError(fmt::format("the device gave up ({})", error.what()));
+    }
+    std::vector<PassTime> times;
+    if (!passes_.empty()) {
+        const auto [result, ticks] = queries_.getResults<uint64_t>(0, uint32_t(2 * passes_.size()), 16 * passes_.size(), 8, vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
+        if (result != vk::Result::eSuccess) throw WorkError("reading time stamps failed");
+        for (size_t i = 0; i < passes_.size(); ++i)
+            times.push_back({passes_[i], double(ticks[2 * i + 1] - ticks[2 * i]) * device_.timestampPeriod() * 1e-6});
+    }
+    return times;
+}
+
+}  // namespace gno::host

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// One command buffer under way: records passes with the barriers between them and a time stamp on either side; submit() runs it and waits.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "host_min/vulkan/device.hpp"
+
+namespace gno::host {
+
+class Image;
+
+struct PassTime {
+    std::string name;
+    double ms;  ///< device time
+};
+
+class Recording {
+public:
+    explicit Recording(const Device& device);
+
+    [[nodiscard]] vk::CommandBuffer commands() const { return *commands_; }
+    [[nodiscard]] const Device& device() const { return device_; }
+
+    /// A descriptor set that lives as long as this recording.
+    vk::DescriptorSet allocateSet(vk::DescriptorSetLayout layout);
+
+    void barrier();                     ///< everything before is visible to everything after
+    void toGeneral(const Image& image); ///< from undefined: contents are lost
+    void beginPass(std::string name);   ///< barrier and first time stamp
+    void endPass();
+
+    /// Runs the commands, waits, and tells the time of each pass. Once. Throws WorkError when the device is lost.
+    std::vector<PassTime> submit();
+
+private:
+    const Device& device_;
+    vk::raii::CommandPool pool_;
+    vk::raii::CommandBuffer commands_{nullptr};
+    std::vector<vk::raii::DescriptorPool> descriptorPools_;
+    vk::raii::QueryPool queries_{nullptr};
+    std::vector<std::string> passes_;
+};
+
+}  // namespace gno::host
