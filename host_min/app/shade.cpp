@@ -121,7 +121,7 @@ bool shade(const ShadeOptions& options) {
         FrameInputs inputs(passes, frame, options.width, options.height);
         for (uint32_t light = options.light.value_or(0); light <= options.light.value_or(lightCount - 1); ++light) {
             progress.show("view samples");
-            inputs.setLight(light, cull);
+            inputs.setLight(frame.lights.at(light).homogeneous, cull);
             const double floorMs = measureFloor(inputs, options.repeat);
             std::optional<OracleAnswer> answer;
             if (oracle) answer = askOracle(*oracle, inputs, progress);

@@ -62,26 +62,43 @@ FrameInputs::FrameInputs(PassCache& passes, const Frame& frame, uint32_t width, 
                                      device().facts().maxStorageBufferRange / 64));
     casters_.upload(std::span(frame.triangles));
     closed_.upload(std::span<const uint32_t>(closedBits(frame)));
-    const glm::mat4 clip(frame.camera.clipFromGrid(double(width) / height));
+    Recording recording(device());
+    for (const Image* image : {&positions_, &normals_, &primitives_, &depth_, &samples_}) recording.toGeneral(*image);
+    recording.submit();
+    rasterise();
+}
+
+FrameInputs::FrameInputs(PassCache& passes, const Frame& frame, std::span<const OracleSample> samples, uint32_t width)
+    : FrameInputs(passes, frame, width, uint32_t(std::max<size_t>(1, (samples.size() + width - 1) / width))) {
+    givenSamples_ = true;
+    std::vector<glm::uvec4> texels(size_t(width_) * height_, glm::uvec4(0, 0, 0, GNO_BACKGROUND));
+    for (size_t i = 0; i < samples.size(); ++i) {
+        const glm::vec3 p = samples[i].position;
+        texels[i] = {std::bit_cast<uint32_t>(p.x), std::bit_cast<uint32_t>(p.y), std::bit_cast<uint32_t>(p.z), samples[i].own};
+    }
+    samples_.upload(std::as_bytes(std::span(texels)));
+}
+
+void FrameInputs::rasterise() {
+    const glm::mat4 clip(frame_.camera.clipFromGrid(double(width_) / height_));
     camera_.upload(std::span(&clip, 1));
 
     const std::array formats{positions_.format(), normals_.format(), primitives_.format()};
-    const RasterPass& pass = passes.raster("core/examples/gbuffer.vert", "core/examples/gbuffer.frag", formats, true);
+    const RasterPass& pass = passes_.raster("core/examples/gbuffer.vert", "core/examples/gbuffer.frag", formats, true);
     const std::array targets{RasterPass::Target{&positions_, vk::ClearColorValue(0.f, 0.f, 0.f, 0.f)},
                              RasterPass::Target{&normals_, vk::ClearColorValue(0.f, 0.f, 0.f, 0.f)},
                              RasterPass::Target{&primitives_, vk::ClearColorValue(GNO_BACKGROUND, 0u, 0u, 0u)}};
     const std::array resources{Binding{"gnoCasters", &casters_}, Binding{"gnoCamera", &camera_}};
     const ExamplePush constants = push();
     Recording recording(device());
-    for (const Image* image : {&positions_, &normals_, &primitives_, &depth_, &samples_}) recording.toGeneral(*image);
     pass.draw(recording, targets, &depth_, resources, std::as_bytes(std::span(&constants, 1)), 3 * triangleCount());
     recording.submit();
 }
 
-void FrameInputs::setLight(uint32_t index, Cull cull) {
-    light_ = frame_.lights.at(index).homogeneous;
+void FrameInputs::setLight(glm::vec4 light, Cull cull) {
+    light_ = light;
     cull_ = cull;
-    const std::vector<glm::vec4> hull = cullHull(frame_.camera, double(width_) / height_, light_);
+    const std::vector<glm::vec4> hull = givenSamples_ ? std::vector<glm::vec4>() : cullHull(frame_.camera, double(width_) / height_, light_);
     planes_.upload(std::span(hull));
     planeCount_ = uint32_t(hull.size());
     const ExamplePush constants = push();
@@ -98,7 +115,7 @@ void FrameInputs::setLight(uint32_t index, Cull cull) {
         recording.beginPass(casterSetUp_.name);
         casterPass.dispatch(recording, casterBindings, bytes, (triangleCount() + kGroup - 1) / kGroup);
         recording.endPass();
-        samplePass.dispatch(recording, sampleBindings, bytes, (width_ + 7) / 8, (height_ + 7) / 8);
+        if (!givenSamples_) samplePass.dispatch(recording, sampleBindings, bytes, (width_ + 7) / 8, (height_ + 7) / 8);
         casterSetUp_ = recording.submit().front();
     }
 

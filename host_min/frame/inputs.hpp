@@ -30,8 +30,12 @@ public:
     /// Uploads the casters and rasterises the G-buffer. Throws InputError when a buffer would pass the device's limits.
     FrameInputs(PassCache& passes, const Frame& frame, uint32_t width, uint32_t height);
 
-    /// Makes view samples and caster states for light `index` of the frame.
-    void setLight(uint32_t index, Cull cull);
+    /// The same without a camera: given view samples, already on the grid and off their own planes, one pixel each in rows of `width`; what the last row
+    /// lacks is background. Hull culling knows no frustum then and drops nothing.
+    FrameInputs(PassCache& passes, const Frame& frame, std::span<const OracleSample> samples, uint32_t width = 64);
+
+    /// Makes view samples (unless they were given) and caster states for a homogeneous light on the grid.
+    void setLight(glm::vec4 light, Cull cull);
 
     [[nodiscard]] PassCache& passes() const { return passes_; }
     [[nodiscard]] const Device& device() const { return passes_.device(); }
@@ -61,9 +65,12 @@ public:
     [[nodiscard]] std::vector<uint8_t> definitionCasters() const;
 
 private:
+    void rasterise();
+
     PassCache& passes_;
     const Frame& frame_;
     uint32_t width_, height_;
+    bool givenSamples_ = false;
     Buffer casters_, states_, closed_, camera_, planes_;
     Image positions_, normals_, primitives_, depth_, samples_;
     glm::vec4 light_{0};

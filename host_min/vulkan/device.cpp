@@ -97,7 +97,7 @@ Device::Device(const DeviceOptions& options) : instance_(makeInstance(context_, 
     if (options.validation) {
         using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
         using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-        vk::DebugUtilsMessengerCreateInfoEXT info({}, Severity::eWarning | Severity::eError, Type::eGeneral | Type::eValidation | Type::ePerformance);
+        vk::DebugUtilsMessengerCreateInfoEXT info({}, Severity::eWarning | Severity::eError, Type::eGeneral | Type::eValidation);
         info.pfnUserCallback = reinterpret_cast<decltype(info.pfnUserCallback)>(&onMessage);
         info.pUserData = &messages_;
         messenger_ = vk::raii::DebugUtilsMessengerEXT(instance_, info);

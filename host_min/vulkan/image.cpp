@@ -52,6 +52,21 @@ void Image::clear(vk::ClearColorValue value) {
     recording.submit();
 }
 
+void Image::upload(std::span<const std::byte> texels) {
+    const uint64_t row = uint64_t(width_) * texelBytes_;
+    if (texels.size() != row * height_) throw WorkError("an image upload of the wrong size");
+    const uint32_t rows = uint32_t(std::clamp<uint64_t>((64u << 20) / row, 1, height_));
+    const StagingBuffer staging(*device_, row * rows);
+    for (uint32_t y = 0; y < height_; y += rows) {
+        const uint32_t count = std::min(rows, height_ - y);
+        std::memcpy(staging.data(), texels.data() + y * row, count * row);
+        Recording recording(*device_);
+        const vk::BufferImageCopy region(0, 0, 0, {aspect_, 0, 0, 1}, {0, int32_t(y), 0}, {width_, count, 1});
+        recording.commands().copyBufferToImage(staging.handle(), *image_, vk::ImageLayout::eGeneral, region);
+        recording.submit();
+    }
+}
+
 std::vector<std::byte> Image::download() const {
     const uint64_t row = uint64_t(width_) * texelBytes_;
     std::vector<std::byte> result(row * height_);

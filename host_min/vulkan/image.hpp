@@ -2,6 +2,7 @@
 // A two-dimensional device-local image with its memory and view, always in the general layout once cleared.
 #pragma once
 #include <cstring>
+#include <span>
 #include <vector>
 
 #include "host_min/vulkan/device.hpp"
@@ -21,6 +22,7 @@ public:
     [[nodiscard]] uint32_t texelBytes() const { return texelBytes_; }
 
     void clear(vk::ClearColorValue value);  ///< colour only; moves the image to the general layout; waits
+    void upload(std::span<const std::byte> rows);           ///< all texels, rows top to bottom, tightly packed; the image is in the general layout; waits
     [[nodiscard]] std::vector<std::byte> download() const;  ///< rows top to bottom, tightly packed
 
     template <class T>

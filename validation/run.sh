@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds Release into build/, and runs every test through ctest. Arguments are handed to ctest: ./validation/run.sh -R top
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+. host_min/setup.sh
+cmake -G Ninja -B build -DCMAKE_BUILD_TYPE=Release ${GNOMON_CMAKE_ARGS:-} > /dev/null
+cmake --build build ${GNOMON_BUILD_ARGS:-}
+log=build/ctest-times.txt
+status=0
+ctest --test-dir build --output-on-failure --no-tests=error -j "$(nproc)" --output-log "$log" "$@" || status=$?
+echo "slowest tests:"
+sed -n 's/^ *[0-9]*\/[0-9]* Test *#[0-9]*: \([^ ]*\) .* \([0-9.]*\) sec.*/\2 s  \1/p' "$log" | sort -rn | head -n 8
+sed -n '/tests passed/,$p' "$log" | grep -E 'tests passed|Total Test time' || true
+exit $status

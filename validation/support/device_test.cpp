@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "validation/support/device_test.hpp"
+
+#include <cstdlib>
+#include <memory>
+#include <stdexcept>
+
+namespace gno::test {
+namespace {
+
+host::Frame frameOf(const Scene& scene) {
+    host::Frame frame;
+    frame.triangles = scene.triangles;
+    frame.material.assign(scene.triangles.size(), 0);
+    frame.object.assign(scene.triangles.size(), 0);
+    frame.closed = scene.closed.empty() ? std::vector<uint8_t>(scene.triangles.size(), 0) : scene.closed;
+    frame.camera.gridFromCamera[3] = glm::dvec4(0, 0, 4, 1);
+    return frame;
+}
+
+}  // namespace
+
+host::PassCache& passes() {
+    static const host::Device device([] {
+        host::DeviceOptions options = host::DeviceOptions::fromEnvironment();
+        if (!std::getenv("GNOMON_VALIDATE")) options.validation = true;
+        return options;
+    }());
+    static host::PassCache cache(device);
+    return cache;
+}
+
+std::vector<host::TechniqueResult> runAll(const Scene& scene, std::span<const std::string> techniques, host::Precision precision,
+                                          std::span<const std::string> settings) {
+    const host::Frame frame = frameOf(scene);
+    host::FrameInputs inputs(passes(), frame, scene.samples);
+    inputs.setLight(scene.light, scene.cull);
+    host::StructureCache structures;
+    std::vector<host::TechniqueResult> results;
+    for (const std::string& name : techniques) {
+        host::Technique& technique = host::techniqueByName(name);
+        results.push_back(technique.run(inputs, structures, host::Settings(technique.info().settings, settings), {precision, 1, true, false}));
+        for (auto* mask : {&results.back().visibility, &results.back().visitedNodes, &results.back().deepestStack})
+            if (mask->size() > scene.samples.size()) mask->resize(scene.samples.size());
+    }
+    return results;
+}
+
+host::TechniqueResult run(const Scene& scene, const std::string& technique, host::Precision precision, std::span<const std::string> settings) {
+    return runAll(scene, std::span(&technique, 1), precision, settings).front();
+}
+
+host::OracleAnswer ask(const Scene& scene) {
+    const host::Frame frame = frameOf(scene);
+    host::FrameInputs inputs(passes(), frame, scene.samples);
+    inputs.setLight(scene.light, scene.cull);
+    const std::vector<uint8_t> casters = inputs.definitionCasters();
+    return host::makeOracle()->ask({scene.triangles, casters, scene.light, scene.samples}, [](double) {});
+}
+
+Wrong compare(const host::TechniqueResult& got, const host::OracleAnswer& want) {
+    if (got.visibility.size() != want.inShadow.size()) throw std::logic_error("masks of different sizes");
+    Wrong result;
+    for (size_t i = got.visibility.size(); i-- > 0;) {
+        const uint32_t expected = want.inShadow[i] ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT;
+        if (got.visibility[i] == expected) continue;
+        ++result.wrong;
+        result.leaks += want.inShadow[i] != 0;
+        result.falseDark += want.inShadow[i] == 0;
+        result.first = i;
+    }
+    return result;
+}
+
+}  // namespace gno::test

@@ -1,0 +1,1 @@
+gnomon_add_device_test(top_far_samples_test)
