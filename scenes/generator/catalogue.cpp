@@ -9,7 +9,15 @@ namespace gno::scenes {
 
 const std::vector<Kind>& catalogue() {
     static const std::vector<Kind> kinds = {
-        {"show_garden", "the default picture: fine foliage, bars and petals", false, 0, 0, 0, nullptr, showGarden},
+        {"show_garden", "the default picture: fine foliage, bars and petals", false, 160619, 0, 0, nullptr, showGarden},
+        {"show_stairs", "long thin balusters, many small objects", false, 114898, 0, 0, nullptr, showStairs},
+        {"show_truck", "a long object under a low sun, few large receivers", false, 154622, 0, 0, nullptr, showTruck},
+        {"playground", "PLAYGROUND (2016): shadows of all complexities", true, 131000, 40000, 2000000, buildPlayground, nullptr},
+        {"city", "CLOSED CITY (2016): large and open, thousands of objects", true, 620000, 30000, 4000000, buildCity, nullptr},
+        {"ropes", "SHIP (2016): rigging of long thin triangles", false, 300000, 40000, 1500000, buildRopes, nullptr},
+        {"bricks", "EXCAVATOR (2016): a million small casters", true, 1150000, 20000, 3000000, buildBricks, nullptr},
+        {"room", "a closed room lit from inside; --size 12 is its bare shell", true, 6000, 12, 60000, buildRoom, nullptr},
+        {"gate", "VILLA (2014): bars near the camera, trees far behind", true, 100000, 20000, 1000000, buildGate, nullptr},
         {"fuzzy", "FUZZY (2014): very dense casters", false, 400000, 4000, 2000000, buildFuzzy, nullptr},
         {"grass", "blades through a ground that is the first caster", false, 200000, 2000, 2000000, buildGrass, nullptr},
     };

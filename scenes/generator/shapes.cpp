@@ -170,13 +170,13 @@ void addGutter(Mesh& mesh, const Path& path, double radius, double thickness, in
         for (uint32_t k = 0; k < row; ++k) {
             const uint32_t a = base + i * row;
             const uint32_t l = (k + 1) % row;
-            mesh.quad(a + k, a + row + k, a + row + l, a + l);
+            mesh.quad(a + k, a + l, a + row + l, a + row + k);
         }
     const uint32_t end = base + (points - 1) * row;
     for (uint32_t k = 0; k + 1 < n; ++k) {
         const uint32_t inner = row - 1 - k;
-        mesh.quad(base + k, base + k + 1, base + inner - 1, base + inner);
-        mesh.quad(end + k, end + inner, end + inner - 1, end + k + 1);
+        mesh.quad(base + k, base + inner, base + inner - 1, base + k + 1);
+        mesh.quad(end + k, end + k + 1, end + inner - 1, end + inner);
     }
 }
 

@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+#define TINYGLTF_IMPLEMENTATION
+#include <tiny_gltf.h>
