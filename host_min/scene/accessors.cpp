@@ -13,6 +13,8 @@ namespace gno::host {
 
 namespace {
 
+constexpr size_t kMostNumbers = size_t{1} << 28;  // many accessors may name the same bytes: 2 GiB of doubles are enough
+
 size_t componentBytes(int componentType) {
     switch (componentType) {
         case TINYGLTF_COMPONENT_TYPE_BYTE:
@@ -142,17 +144,22 @@ void Accessors::applySparse(const tinygltf::Accessor& accessor, const Layout& wh
     }
 }
 
-const std::vector<double>& Accessors::values(int index, int type, std::string_view what) {
+const std::vector<double>& Accessors::values(int index, int type, std::string_view what) { return *shared(index, type, what); }
+
+std::shared_ptr<const std::vector<double>> Accessors::shared(int index, int type, std::string_view what) {
     const Layout from = layout(index, what);
     const auto& accessor = model_.accessors[static_cast<size_t>(index)];
     if (accessor.type != type) throw InputError(fmt::format("accessor {} ({}) has the wrong type", index, what));
-    const auto [entry, isNew] = decoded_.try_emplace(index);
-    std::vector<double>& values = entry->second;
-    if (!isNew) return values;
-    values.assign(from.count * static_cast<size_t>(from.components), 0.0);
-    if (from.data != nullptr) decode(from.data, from.stride, from.count, from.components, from.componentType, from.normalized, values.data());
-    if (accessor.sparse.isSparse) applySparse(accessor, from, values, fmt::format("accessor {} ({})", index, what));
-    return values;
+    auto& decoded = decoded_[index];
+    if (decoded) return decoded;
+    const size_t numbers = from.count * static_cast<size_t>(from.components);
+    decodedNumbers_ += numbers;
+    if (decodedNumbers_ > kMostNumbers) throw InputError(fmt::format("its accessors hold more than {} numbers", kMostNumbers));
+    auto values = std::make_shared<std::vector<double>>(numbers, 0.0);
+    if (from.data != nullptr) decode(from.data, from.stride, from.count, from.components, from.componentType, from.normalized, values->data());
+    if (accessor.sparse.isSparse) applySparse(accessor, from, *values, fmt::format("accessor {} ({})", index, what));
+    decoded = std::move(values);
+    return decoded;
 }
 
 std::vector<uint32_t> Accessors::indices(int index, std::string_view what) const {

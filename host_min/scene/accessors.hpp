@@ -4,6 +4,7 @@
 #include <tiny_gltf.h>
 
 #include <cstdint>
+#include <memory>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -18,6 +19,9 @@ public:
     /// All elements, component by component, as numbers (normalised integers become [-1, 1] or [0, 1]; sparse values are in place).
     /// `type` is the one that `what` (words for messages) must have. Decoded once; the reference lives as long as this object.
     const std::vector<double>& values(int accessor, int type, std::string_view what);
+
+    /// The same, for those who keep the numbers: a file may name one accessor many times.
+    std::shared_ptr<const std::vector<double>> shared(int accessor, int type, std::string_view what);
 
     /// The number of elements of an accessor whose bounds hold.
     [[nodiscard]] size_t count(int accessor, std::string_view what) const;
@@ -38,7 +42,8 @@ private:
 
     const tinygltf::Model& model_;
     size_t bytes_ = 0;  ///< of all buffers
-    std::unordered_map<int, std::vector<double>> decoded_;
+    size_t decodedNumbers_ = 0;
+    std::unordered_map<int, std::shared_ptr<const std::vector<double>>> decoded_;
 };
 
 }  // namespace gno::host

@@ -46,10 +46,11 @@ Interpolation readInterpolation(const std::string& name, const std::string& what
 // The value between two keys, `width` numbers, written to `out`.
 void between(const ChannelData& channel, size_t key, double seconds, double* out) {
     const size_t width = channel.width;
-    const double span = channel.times[key + 1] - channel.times[key];
-    const double t = span > 0 ? (seconds - channel.times[key]) / span : 0.0;
+    const std::vector<double>& times = *channel.times;
+    const double span = times[key + 1] - times[key];
+    const double t = span > 0 ? (seconds - times[key]) / span : 0.0;
     if (channel.interpolation == Interpolation::cubic) {
-        const double* a = channel.values.data() + key * width * 3;  // in-tangent, value, out-tangent
+        const double* a = channel.values->data() + key * width * 3;  // in-tangent, value, out-tangent
         const double* b = a + width * 3;
         const double t2 = t * t, t3 = t2 * t;
         for (size_t i = 0; i < width; ++i)
@@ -57,7 +58,7 @@ void between(const ChannelData& channel, size_t key, double seconds, double* out
                      span * (t3 - t2) * b[i];
         return;
     }
-    const double* a = channel.values.data() + key * width;
+    const double* a = channel.values->data() + key * width;
     const double* b = a + width;
     if (channel.interpolation == Interpolation::step) {
         std::copy(a, a + width, out);
@@ -70,15 +71,16 @@ void between(const ChannelData& channel, size_t key, double seconds, double* out
 }
 
 void sample(const ChannelData& channel, double seconds, std::vector<double>& out) {
+    const std::vector<double>& times = *channel.times;
     out.resize(channel.width);
-    const auto later = std::upper_bound(channel.times.begin(), channel.times.end(), seconds);
+    const auto later = std::upper_bound(times.begin(), times.end(), seconds);
     const bool isCubic = channel.interpolation == Interpolation::cubic;
-    if (later != channel.times.begin() && later != channel.times.end()) {
-        between(channel, static_cast<size_t>(later - channel.times.begin()) - 1, seconds, out.data());
+    if (later != times.begin() && later != times.end()) {
+        between(channel, static_cast<size_t>(later - times.begin()) - 1, seconds, out.data());
         return;
     }
-    const size_t key = later == channel.times.begin() ? 0 : channel.times.size() - 1;
-    const double* value = channel.values.data() + (isCubic ? key * 3 + 1 : key) * channel.width;
+    const size_t key = later == times.begin() ? 0 : times.size() - 1;
+    const double* value = channel.values->data() + (isCubic ? key * 3 + 1 : key) * channel.width;
     std::copy(value, value + channel.width, out.begin());
 }
 
@@ -103,15 +105,15 @@ std::vector<ChannelData> loadAnimations(const tinygltf::Model& model, Accessors&
             if (channel.width == 0) continue;  // weights of a node without morph targets
             const auto& sampler = animation.samplers[static_cast<size_t>(from.sampler)];
             channel.interpolation = readInterpolation(sampler.interpolation, what);
-            channel.times = accessors.values(sampler.input, TINYGLTF_TYPE_SCALAR, what + " input");
-            checkTimes(channel.times, what);
+            channel.times = accessors.shared(sampler.input, TINYGLTF_TYPE_SCALAR, what + " input");
+            checkTimes(*channel.times, what);
             const int type = isWeights ? TINYGLTF_TYPE_SCALAR : channel.width == 4 ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3;
-            channel.values = accessors.values(sampler.output, type, what + " output");
-            const size_t wanted = channel.times.size() * channel.width * (channel.interpolation == Interpolation::cubic ? 3 : 1);
-            if (channel.values.size() != wanted)
+            channel.values = accessors.shared(sampler.output, type, what + " output");
+            const size_t wanted = channel.times->size() * channel.width * (channel.interpolation == Interpolation::cubic ? 3 : 1);
+            if (channel.values->size() != wanted)
                 throw InputError(
-                    fmt::format("{}: {} numbers for {} times, {} are needed", what, channel.values.size(), channel.times.size(), wanted));
-            for (const double value : channel.values)
+                    fmt::format("{}: {} numbers for {} times, {} are needed", what, channel.values->size(), channel.times->size(), wanted));
+            for (const double value : *channel.values)
                 if (!(std::abs(value) <= kLargestNumber)) throw InputError(what + ": a value is not finite");
             channels.push_back(std::move(channel));
         }

@@ -105,16 +105,17 @@ bool readBuffer(Bytes* out, std::string* error, const std::string& path, void*) 
     }
 }
 
-bool isFile(const std::string& path, void*) {
+// tinygltf would also look into the current directory.
+bool isFileBeside(const std::string& path, void* folder) {
     std::error_code error;
-    return fs::is_regular_file(path, error);
+    return path.starts_with(*static_cast<const std::string*>(folder)) && fs::exists(path, error);
 }
 
-tinygltf::TinyGLTF makeReader() {
+tinygltf::TinyGLTF makeReader(std::string& folder) {
     tinygltf::TinyGLTF reader;
     const auto ignoreImage = [](tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) { return true; };
     reader.SetImageLoader(ignoreImage, nullptr);
-    reader.SetFsCallbacks({isFile, [](const std::string& path, void*) { return path; }, readBuffer, nullptr, nullptr});
+    reader.SetFsCallbacks({isFileBeside, [](const std::string& wanted, void*) { return wanted; }, readBuffer, nullptr, &folder});
     return reader;
 }
 
@@ -132,9 +133,9 @@ tinygltf::Model openGltf(const fs::path& path, std::vector<std::string>& ignored
     bool done = false;
     const Chunks chunks = isGlb ? splitGlb(bytes) : Chunks{all, {}};
     const std::string json = guardJson(chunks.json, ignored);
-    const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+    std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
     try {
-        auto reader = makeReader();
+        auto reader = makeReader(folder);
         if (isGlb) {
             const Bytes glb = joinGlb(json, chunks.binary);
             done = reader.LoadBinaryFromMemory(&model, &error, &warning, glb.data(), static_cast<unsigned>(glb.size()), folder);

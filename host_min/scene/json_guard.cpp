@@ -107,6 +107,7 @@ void checkMember(std::string_view key, const Json& value) {
     if (!isList && key != "children" && key != "joints" && key != "nodes" && key != "targets") return;
     if (!value.is_array()) throw InputError(fmt::format("{} is not an array", key));
     for (const Json& entry : value) {
+        if (key == "primitives" && (!entry.is_object() || !entry.contains("attributes"))) throw InputError("a mesh primitive has no attributes");
         if (key == "targets")
             checkWholeMembers(entry, key);
         else if (isList && !entry.is_object())

@@ -10,8 +10,6 @@ namespace gno::host {
 
 namespace {
 
-constexpr uint64_t kMostDisplacements = 1ull << 26;  // of all morph targets of a mesh
-
 // Triangles of a list, strip or fan of `count` vertices, as indices into that sequence. Strips keep their winding by swapping every other one.
 std::vector<glm::uvec3> triangulate(int mode, uint32_t count) {
     std::vector<glm::uvec3> triangles;
@@ -85,7 +83,7 @@ std::vector<glm::uvec3> readTriangles(const tinygltf::Primitive& primitive, cons
     return triangles;
 }
 
-PrimitiveData loadPrimitive(const tinygltf::Primitive& primitive, Accessors& accessors, const std::string& what) {
+PrimitiveData loadPrimitive(const tinygltf::Primitive& primitive, Accessors& accessors, uint64_t& displacements, const std::string& what) {
     const int position = attribute(primitive.attributes, "POSITION");
     const std::vector<double>& positions = accessors.values(position, TINYGLTF_TYPE_VEC3, what + " POSITION");
     const size_t vertexCount = positions.size() / 3;
@@ -93,7 +91,8 @@ PrimitiveData loadPrimitive(const tinygltf::Primitive& primitive, Accessors& acc
     result.triangles = readTriangles(primitive, accessors, vertexCount, what);
     const std::vector<uint32_t> kept = keepUsed(result.triangles, vertexCount, what);
     result.positions = gather(positions, kept, what);
-    if (kept.size() * primitive.targets.size() > kMostDisplacements) throw InputError(fmt::format("{} has too many morph targets", what));
+    displacements += uint64_t{kept.size()} * primitive.targets.size();
+    if (displacements > kMostDisplacements) throw InputError(fmt::format("{}: its mesh has too many morph targets", what));
     for (const auto& target : primitive.targets) {
         const int displacement = attribute(target, "POSITION");
         if (displacement < 0) {  // it moves normals only
@@ -134,10 +133,11 @@ MeshData loadMesh(const tinygltf::Model& model, size_t index, Accessors& accesso
             result.targetCount = primitive.targets.size();
         else if (result.targetCount != primitive.targets.size())
             throw InputError(fmt::format("{} has {} morph targets, others of its mesh have {}", what, primitive.targets.size(), result.targetCount));
-        result.primitives.push_back(loadPrimitive(primitive, accessors, what));
+        result.primitives.push_back(loadPrimitive(primitive, accessors, result.displacements, what));
         result.primitives.back().material =
             static_cast<uint32_t>(primitive.material < 0 ? model.materials.size() : static_cast<size_t>(primitive.material));
         result.triangleCount += result.primitives.back().triangles.size();
+        if (result.triangleCount > kMostTriangles) throw InputError(fmt::format("mesh {} has more than {} triangles", index, kMostTriangles));
     }
     result.weights = mesh.weights;
     if (result.weights.empty()) result.weights.assign(result.targetCount, 0.0);

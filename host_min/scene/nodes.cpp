@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "host_min/error.hpp"
@@ -57,7 +58,7 @@ void readTransform(const tinygltf::Node& from, NodeData& to) {
     if (from.rotation.size() == 4) to.rotation = quatAt(from.rotation, 0);
 }
 
-void readInstances(const tinygltf::Value& extension, Accessors& accessors, NodeData& node, const std::string& what) {
+void readInstances(const tinygltf::Value& extension, Accessors& accessors, uint64_t& instances, NodeData& node, const std::string& what) {
     if (!extension.IsObject() || !extension.Has("attributes")) return;
     const tinygltf::Value& attributes = extension.Get("attributes");
     const std::vector<double>* parts[3] = {};
@@ -73,6 +74,8 @@ void readInstances(const tinygltf::Value& extension, Accessors& accessors, NodeD
         count = entries;
     }
     if (count == 0) return;
+    instances += count;
+    if (instances > kMostInstances) throw InputError(fmt::format("the file has more than {} mesh instances", kMostInstances));
     node.instances.assign(count, glm::dmat4(1.0));
     for (size_t i = 0; i < count; ++i) {
         node.instances[i] =
@@ -82,7 +85,7 @@ void readInstances(const tinygltf::Value& extension, Accessors& accessors, NodeD
     }
 }
 
-NodeData readNode(const tinygltf::Model& model, size_t index, Accessors& accessors, const std::vector<MeshData>& meshes) {
+NodeData readNode(const tinygltf::Model& model, size_t index, Accessors& accessors, const std::vector<MeshData>& meshes, uint64_t& instances) {
     const tinygltf::Node& from = model.nodes[index];
     const std::string what = fmt::format("node {}", index);
     NodeData node;
@@ -104,7 +107,7 @@ NodeData readNode(const tinygltf::Model& model, size_t index, Accessors& accesso
         for (const double weight : node.weights)
             if (!(std::abs(weight) <= kLargestNumber)) throw InputError(what + ": a weight is not finite");
         if (const auto many = from.extensions.find("EXT_mesh_gpu_instancing"); many != from.extensions.end())
-            readInstances(many->second, accessors, node, what);
+            readInstances(many->second, accessors, instances, node, what);
     }
     return node;
 }
@@ -148,7 +151,8 @@ void markScene(const tinygltf::Model& model, SceneFile::Data& data) {
 }  // namespace
 
 void loadNodes(const tinygltf::Model& model, Accessors& accessors, SceneFile::Data& data) {
-    for (size_t i = 0; i < model.nodes.size(); ++i) data.nodes.push_back(readNode(model, i, accessors, data.meshes));
+    uint64_t instances = 0;
+    for (size_t i = 0; i < model.nodes.size(); ++i) data.nodes.push_back(readNode(model, i, accessors, data.meshes, instances));
     orderNodes(model, data);
     markScene(model, data);
     for (size_t i = 0; i < data.nodes.size(); ++i) {

@@ -47,11 +47,13 @@ std::unique_ptr<SceneFile::Data> loadData(const std::filesystem::path& path) {
     Accessors accessors(model);
     for (size_t i = 0; i < model.materials.size(); ++i) data->materials.push_back(readMaterial(model.materials[i], i));
     data->materials.emplace_back().name = "default";
-    uint64_t stored = 0;
+    uint64_t triangles = 0, displacements = 0;
     for (size_t i = 0; i < model.meshes.size(); ++i) {
         data->meshes.push_back(loadMesh(model, i, accessors));
-        stored += data->meshes.back().triangleCount;
-        if (stored > kMostTriangles) throw InputError(fmt::format("the file has more than {} triangles", kMostTriangles));
+        triangles += data->meshes.back().triangleCount;
+        displacements += data->meshes.back().displacements;
+        if (triangles > kMostTriangles) throw InputError(fmt::format("the file has more than {} triangles", kMostTriangles));
+        if (displacements > kMostDisplacements) throw InputError("the file has too many morph targets");
         data->facts.morphTargets += static_cast<uint32_t>(data->meshes.back().targetCount);
     }
     data->skins = loadSkins(model, accessors);
@@ -97,7 +99,7 @@ uint32_t SceneFile::lightCount() const { return data_->lightNodes.empty() ? 2u :
 
 double SceneFile::lastKeyframe() const {
     double last = 0;
-    for (const ChannelData& channel : data_->channels) last = std::max(last, channel.times.back());
+    for (const ChannelData& channel : data_->channels) last = std::max(last, channel.times->back());
     return last;
 }
 

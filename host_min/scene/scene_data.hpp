@@ -15,8 +15,10 @@
 
 namespace gno::host {
 
-inline constexpr uint64_t kMostTriangles = 1ull << 26;  ///< of all instances; keeps a small hostile file from asking for all memory
-inline constexpr double kLargestNumber = 1e30;          ///< of matrices and world positions: products of a few stay finite
+inline constexpr uint64_t kMostTriangles = 1ull << 26;      ///< of all instances; keeps a small hostile file from asking for all memory
+inline constexpr uint64_t kMostDisplacements = 1ull << 26;  ///< of all morph targets together
+inline constexpr uint64_t kMostInstances = 1ull << 20;      ///< of EXT_mesh_gpu_instancing
+inline constexpr double kLargestNumber = 1e30;              ///< of matrices and world positions: products of a few stay finite
 
 struct Box {
     glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
@@ -47,6 +49,7 @@ struct MeshData {
     std::vector<double> weights;  ///< one per morph target
     size_t targetCount = 0;
     uint64_t triangleCount = 0, pointOrLinePrimitives = 0;
+    uint64_t displacements = 0;  ///< of all morph targets
 };
 
 struct NodeData {
@@ -74,9 +77,9 @@ struct ChannelData {
     uint32_t node = 0;
     Path path = Path::translation;
     Interpolation interpolation = Interpolation::linear;
-    size_t width = 3;            ///< numbers per value
-    std::vector<double> times;   ///< seconds, rising, at least one
-    std::vector<double> values;  ///< width numbers per time; cubic: in-tangent, value, out-tangent
+    size_t width = 3;                                   ///< numbers per value
+    std::shared_ptr<const std::vector<double>> times;   ///< seconds, rising, at least one
+    std::shared_ptr<const std::vector<double>> values;  ///< width numbers per time; cubic: in-tangent, value, out-tangent
 };
 
 /// All nodes at one moment.

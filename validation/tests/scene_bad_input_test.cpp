@@ -156,6 +156,7 @@ TEST(BadMesh, Indices) {
     expectRefused("does not exist", [](Builder& b) { b.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 44; });
     expectRefused("whole number", [](Builder& b) { b.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = "0"; });
     expectRefused("not glTF", [](Builder& b) { b.json["meshes"][0]["primitives"][0]["mode"] = 7; });
+    expectRefused("no attributes", [](Builder& b) { b.json["meshes"][0]["primitives"][0].erase("attributes"); });
     expectRefused("material 3", [](Builder& b) { b.json["meshes"][0]["primitives"][0]["material"] = 3; });
 }
 
@@ -313,6 +314,14 @@ TEST(Empty, NoTriangles) {
     expectRefused("no triangle has an area", [](Builder& b) { b.json["nodes"][0]["scale"] = {1, 0, 1}; });
 }
 
+TEST(TooMuch, ManyNodesOfOneMesh) {
+    Builder builder;
+    const std::vector<uint16_t> indices(300000, 0);
+    builder.meshNode(kTriangle, indices);
+    for (int i = 0; i < 700; ++i) builder.node({{"mesh", 0}});
+    expectBytesRefused(builder.glb(), "more than 67108864 triangles");
+}
+
 TEST(TooMuch, InstancesOfInstances) {
     Builder builder;
     builder.json["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
@@ -322,7 +331,7 @@ TEST(TooMuch, InstancesOfInstances) {
     builder.json["scenes"][0]["nodes"] = Json::array();
     for (int i = 0; i < 60; ++i)
         builder.node({{"mesh", 0}, {"extensions", {{"EXT_mesh_gpu_instancing", {{"attributes", {{"TRANSLATION", many}}}}}}}});
-    expectBytesRefused(builder.glb(), "more than 67108864 triangles");
+    expectBytesRefused(builder.glb(), "more than 1048576 mesh instances");
 }
 
 }  // namespace

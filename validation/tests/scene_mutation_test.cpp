@@ -95,6 +95,20 @@ Builder skinnedFile() {
     return builder;
 }
 
+std::string base64(std::string bytes) {
+    const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const size_t padding = (3 - bytes.size() % 3) % 3;
+    bytes.append(padding, '\0');
+    std::string text;
+    for (size_t i = 0; i < bytes.size(); i += 3) {
+        const auto at = [&](size_t k) { return static_cast<unsigned>(static_cast<unsigned char>(bytes[i + k])); };
+        const unsigned group = at(0) << 16 | at(1) << 8 | at(2);
+        for (int shift = 18; shift >= 0; shift -= 6) text.push_back(digits[group >> shift & 63]);
+    }
+    text.replace(text.size() - padding, padding, padding, '=');
+    return text;
+}
+
 class Mutator {
 public:
     explicit Mutator(uint64_t seed) : random_(seed) {}
@@ -103,7 +117,11 @@ public:
         Builder builder = from;
         if (builder.json.count("buffers") == 0) builder.json["buffers"] = {{{"byteLength", builder.binary.size()}}};
         std::string text = builder.json.dump();
-        switch (below(8)) {
+        switch (below(9)) {
+            case 8:
+                what = "text file with base64";
+                builder.json["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(builder.binary);
+                return flipped(builder.json.dump());
             case 0:
                 what = "bytes of the JSON";
                 return glbOf(flipped(text), builder.binary);
