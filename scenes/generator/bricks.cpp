@@ -18,6 +18,8 @@ constexpr size_t kStud = 4 * kStudSides, kBox = 12;  // triangles
 
 enum Color : int { kNone = -1, kYellow, kBlack, kGrey, kGlass, kBrown, kRed, kGreen, kColors };
 
+double distance(double x, double y) { return std::sqrt(x * x + y * y); }
+
 double toSegment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
     const double t = std::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
     return glm::length(p - a - (b - a) * t);
@@ -32,7 +34,7 @@ Color excavator(const glm::dvec3& p) {
         return wheel ? kGrey : kBlack;
     }
     if (std::abs(p.x) < 8 && z < 5 && p.y > 2 && p.y < 6) return kGrey;
-    if (std::hypot(p.x + 1, p.z) < 5 && p.y >= 6 && p.y < 7.5) return kBlack;
+    if (distance(p.x + 1, p.z) < 5 && p.y >= 6 && p.y < 7.5) return kBlack;
     const bool cab = p.x > 0.5 && p.x < 8 && p.z > 1.5 && p.z < 7.5 && p.y >= 13 && p.y < 21;
     if (cab) {
         if (p.y > 19.5) return kYellow;
@@ -40,17 +42,17 @@ Color excavator(const glm::dvec3& p) {
         return pillar || p.y < 14.2 ? kYellow : kGlass;
     }
     if (p.y >= 7.5 && p.y < 14 && z < 7.5 && p.x > -12 && p.x < 7.5) {
-        if (std::hypot(p.x + 4, p.z) > 8.8) return kNone;
+        if (distance(p.x + 4, p.z) > 8.8) return kNone;
         return p.x < -8 ? kBlack : (p.y < 8.7 ? kGrey : kYellow);
     }
-    if (std::hypot(p.x + 6, p.z + 4) < 0.9 && p.y < 18.5 && p.y > 13) return kBlack;
+    if (distance(p.x + 6, p.z + 4) < 0.9 && p.y < 18.5 && p.y > 13) return kBlack;
     if (z < 1.6 && std::min(toSegment(side, {4, 11}, {14, 26}), toSegment(side, {14, 26}, {23, 24})) < 1.7) return kYellow;
     if (z < 1.1 && toSegment(side, {22, 25.5}, {28, 9}) < 1.3) return kYellow;
     if (z < 0.8 && std::min(toSegment(side, {8, 10}, {15, 20}), toSegment(side, {17, 27}, {24, 27})) < 0.7) return kGrey;
-    const double bucket = std::hypot(p.x - 27.5, p.y - 6.5);
+    const double bucket = distance(p.x - 27.5, p.y - 6.5);
     if (z < 4.2 && bucket < 4.6 && p.x < 30.5 && (bucket > 3.2 || z > 3.2)) return kGrey;
-    if (p.y < 7 * (1 - std::hypot(p.x - 31, p.z * 0.8) / 11)) return kBrown;
-    if (p.y < 4.5 * (1 - std::hypot(p.x + 19, p.z - 13) / 8)) return kBrown;
+    if (p.y < 7 * (1 - distance(p.x - 31, p.z * 0.8) / 11)) return kBrown;
+    if (p.y < 4.5 * (1 - distance(p.x + 19, p.z - 13) / 8)) return kBrown;
     const double wall = std::abs(p.z + 15);
     if (wall < 1 && p.x > -24 && p.x < 16 && p.y < 5.5 + 3.5 * sine(0.45 * p.x)) return kRed;
     return kNone;
@@ -183,7 +185,7 @@ private:
 
 Draft buildBricks(double detail, uint64_t seed) {
     const double wanted = detail * 1150000;
-    double scale = 1.8 * std::max(std::sqrt(detail), std::cbrt(detail));
+    double scale = 1.8 * std::max(std::sqrt(detail), 0.6 * std::sqrt(std::sqrt(detail)));
     Builder best(scale, seed);
     while (static_cast<double>(best.triangles) > 0.93 * wanted && scale > 0.2) {
         scale *= 0.97;
@@ -202,7 +204,9 @@ Draft buildBricks(double detail, uint64_t seed) {
         const double reach = random.between(0.2, 1) * 9 * scale * kPitch;
         const glm::dvec3 heap(-18 * scale * kPitch, 0, -3 * scale * kPitch);
         const double high = std::max(0.02, (1 - reach / (9 * scale * kPitch)) * 0.45 * scale) * random.between(0.6, 1);
-        const glm::dquat lie = turn({0, 1, 0}, random.between(0, 6)) * turn(random.direction(), random.between(0, 0.8));
+        const double heading = random.between(0, 6);
+        const glm::dvec3 axis = random.direction();
+        const glm::dquat lie = turn({0, 1, 0}, heading) * turn(axis, random.between(0, 0.8));
         const int model = box.get(width, depth, static_cast<Color>(random.below(kColors)));
         draft.place(model, heap + glm::dvec3(reach * cosine(angle), 0.05 + high, reach * sine(angle)), lie);
         placed += static_cast<double>(BrickBox::triangles(width, depth));
@@ -218,7 +222,7 @@ Draft buildBricks(double detail, uint64_t seed) {
     const double u = kPitch * scale;
     draft.camera([u](double t) { return u * glm::dvec3(6 + 54 * sine(0.6 - 0.9 * t), 44 - 9 * t, 56 * cosine(0.6 - 0.9 * t)); },
                  [u](double t) { return u * glm::dvec3(6, 4.5 + t, 0); });
-    draft.pointLight({1, 0.94, 0.86}, 56 * u, [u](double t) { return u * glm::dvec3(-40 + 24 * t, 44, 2 + 20 * t); });
+    draft.pointLight({1, 0.94, 0.86}, 56 * u, [u](double t) { return u * glm::dvec3(-40 + 24 * t, 44, 20 + 8 * t); });
     draft.sun({1, 0.96, 0.9}, [](double t) { return glm::dvec3(-0.9 + 0.7 * t, 0.8, -0.3 + 0.8 * t); });
     return draft;
 }

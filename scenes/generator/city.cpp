@@ -51,6 +51,11 @@ private:
         placed_ += count;
     }
 
+    void putTree(const glm::dvec3& position) {
+        const int tree = trees_[random_.below(3)];
+        put(tree, position, random_.between(0, 6));
+    }
+
     int flat(const std::string& name, uint32_t material, const glm::dvec3& half) {
         Model model;
         model.name = name;
@@ -89,20 +94,22 @@ private:
         auto at = [&](double x, double z) { return centre + glm::dvec3(x, ground, z); };
         if (square) {
             put(lawn_, centre, 0);
-            for (int i = 0; i < 16; ++i) put(trees_[random_.below(3)], at(-18 + 5.1 * (i % 8), i < 8 ? -8.5 : 8.5), random_.between(0, 6));
+            for (int i = 0; i < 16; ++i) putTree(at(-18 + 5.1 * (i % 8), i < 8 ? -8.5 : 8.5));
         } else {
             for (int i = 0; i < 6; ++i) {
                 const bool front = i < 3;
                 const bool tower = random_.chance(0.10);
                 const std::vector<int>& kinds = tower ? towers_ : houses_;
-                put(kinds[random_.below(static_cast<uint32_t>(kinds.size()))],
-                    at(-16.4 + 16.4 * (i % 3) + random_.between(-0.3, 0.3), (front ? 8.6 : -8.6) + random_.between(-0.4, 0.4)), front ? 0 : kPi);
+                const int house = kinds[random_.below(static_cast<uint32_t>(kinds.size()))];
+                const double x = -16.4 + 16.4 * (i % 3) + random_.between(-0.3, 0.3);
+                const double z = (front ? 8.6 : -8.6) + random_.between(-0.4, 0.4);
+                put(house, at(x, z), front ? 0 : kPi);
             }
         }
         for (int i = 0; i < 8; ++i) {
             const bool front = i < 4;
             put(lamp_, at(-22.5 + 15 * (i % 4), front ? 17.3 : -17.3), front ? -kPi / 2 : kPi / 2);
-            put(trees_[random_.below(3)], at(-15 + 15 * (i % 4) - 1.5, front ? 16.4 : -16.4), random_.between(0, 6));
+            putTree(at(-15 + 15 * (i % 4) - 1.5, front ? 16.4 : -16.4));
         }
         for (int i = 0; i < 60; ++i) put(bollard_, at(i < 30 ? -25.4 : 25.4, -16.6 + 1.15 * (i % 30)), 0);
         for (int i = 0; i < 20; ++i) {
@@ -110,7 +117,8 @@ private:
             const double lane = (i & 1) ? 1 : -1;
             const glm::dvec3 place = along ? centre + glm::dvec3(random_.between(-24, 24), 0.04, 25 + lane * 2.4)
                                            : centre + glm::dvec3(33 + lane * 2.4, 0.04, random_.between(-17, 17));
-            put(cars_[random_.below(4)], place, (along ? 0 : kPi / 2) + (lane > 0 ? 0 : kPi) + random_.between(-0.03, 0.03));
+            const int car = cars_[random_.below(4)];
+            put(car, place, (along ? 0 : kPi / 2) + (lane > 0 ? 0 : kPi) + random_.between(-0.03, 0.03));
         }
     }
 };

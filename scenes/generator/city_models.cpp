@@ -55,11 +55,11 @@ void addFlatRoof(Model& model, const CityPaints& paints, double x, double z, dou
         addBox(model.of(paints.trim), {side * (x - 0.1) - 0.2, top - 0.11, -z + 0.05}, {side * (x - 0.1) + 0.2, top + 0.78, z - 0.05});
     }
     for (int i = 0; i < 5; ++i) {
-        const glm::dvec3 size(random.between(0.8, 2.4), random.between(0.5, 1.9), random.between(0.8, 2.2));
-        const glm::dvec3 low(random.between(-x + 1, x - 3.4), top - 0.05, random.between(-z + 1, z - 3.2));
+        const glm::dvec3 size{random.between(0.8, 2.4), random.between(0.5, 1.9), random.between(0.8, 2.2)};
+        const glm::dvec3 low{random.between(-x + 1, x - 3.4), top - 0.05, random.between(-z + 1, z - 3.2)};
         addBox(model.of(paints.metal), low, low + size);
     }
-    const glm::dvec3 mast(random.between(-x + 1, x - 1), top - 0.02, random.between(-z + 1, z - 1));
+    const glm::dvec3 mast{random.between(-x + 1, x - 1), top - 0.02, random.between(-z + 1, z - 1)};
     addCylinder(model.of(paints.metal), mast, mast + glm::dvec3(0, 4.5, 0), 0.07, 0.03, 6);
     for (int i = 0; i < 4; ++i) {
         const glm::dvec3 at = mast + glm::dvec3(0, 2.4 + 0.5 * i, 0);
@@ -83,7 +83,9 @@ Model makeHouse(const CityPaints& paints, int floors, bool gabled, Random& rando
         const double y = storey * floor - (floor == floors ? 0.0 : 0.1);
         addBox(model.of(paints.trim), {-x - 0.1, y, -z - 0.1}, {x + 0.1, y + 0.16, z + 0.1});
     }
-    addFacades(model, paints, x, z, 4 + static_cast<int>(random.below(3)), 3 + static_cast<int>(random.below(2)), floors, storey, random.chance(0.5));
+    const int columns = 4 + static_cast<int>(random.below(3));
+    const int sideColumns = 3 + static_cast<int>(random.below(2));
+    addFacades(model, paints, x, z, columns, sideColumns, floors, storey, random.chance(0.5));
     if (gabled) {
         addGable(model.of(paints.tiles), {-x - 0.6, top - 0.05, -z - 0.5}, {x + 0.6, top + random.between(3.0, 4.6), z + 0.5});
         for (int i = 0; i < 2; ++i) {

@@ -10,7 +10,10 @@ namespace {
 
 constexpr int kParts = 2;  // 3 triangles a hair
 
-void addHair(Mesh& mesh, const glm::dvec3& root, const glm::dvec3& normal, double length, double width, Random& random) {
+// `lengths` and `widths` are ranges.
+void addHair(Mesh& mesh, const glm::dvec3& root, const glm::dvec3& normal, const glm::dvec2& lengths, const glm::dvec2& widths, Random& random) {
+    const double length = random.between(lengths.x, lengths.y);
+    const double width = random.between(widths.x, widths.y);
     const glm::dvec3 random3 = random.direction();
     const glm::dvec3 side =
         glm::normalize(glm::cross(normal, std::abs(glm::dot(normal, random3)) > 0.95 ? glm::dvec3(normal.y, normal.z, -normal.x) : random3));
@@ -26,8 +29,8 @@ Model furBall(const std::string& name, uint32_t skin, uint32_t fur, size_t hairs
     Mesh mesh;
     for (size_t i = 0; i < hairs; ++i) {
         const glm::dvec3 normal = random.direction();
-        addHair(mesh, normal * 0.96, glm::normalize(normal + 0.35 * random.direction()), random.between(0.22, 0.42), random.between(0.010, 0.018),
-                random);
+        const glm::dvec3 growth = glm::normalize(normal + 0.35 * random.direction());
+        addHair(mesh, normal * 0.96, growth, {0.22, 0.42}, {0.010, 0.018}, random);
     }
     model.of(fur) = std::move(mesh);
     return model;
@@ -41,8 +44,7 @@ Model rug(uint32_t cloth, size_t hairs, Random& random) {
         const double angle = random.between(0, 2 * kPi);
         const double radius = 2.9 * std::sqrt(random.unit());
         const glm::dvec3 normal = glm::normalize(glm::dvec3(0, 1, 0) + 0.5 * random.direction());
-        addHair(mesh, {radius * cosine(angle), 0.001, radius * sine(angle)}, normal, random.between(0.10, 0.24), random.between(0.008, 0.016),
-                random);
+        addHair(mesh, {radius * cosine(angle), 0.001, radius * sine(angle)}, normal, {0.10, 0.24}, {0.008, 0.016}, random);
     }
     model.of(cloth) = std::move(mesh);
     return model;

@@ -120,8 +120,10 @@ Draft buildGate(double detail, uint64_t seed) {
     }
     for (int i = 0; i < kTrees; ++i) {
         const double side = (i & 1) ? 1 : -1;
-        const glm::dvec3 foot(side * random.between(3.2, 4.2 + 0.35 * i), 0, -3.0 - 1.75 * i + random.between(-0.5, 0.5));
-        draft.place(trees[random.below(4)], foot, turn({0, 1, 0}, random.between(0, 6)), glm::dvec3(random.between(0.85, 1.2)));
+        const glm::dvec3 foot{side * random.between(3.2, 4.2 + 0.35 * i), 0, -3.0 - 1.75 * i + random.between(-0.5, 0.5)};
+        const int tree = trees[random.below(4)];
+        const double heading = random.between(0, 6);
+        draft.place(tree, foot, turn({0, 1, 0}, heading), glm::dvec3(random.between(0.85, 1.2)));
     }
 
     draft.camera([](double t) { return glm::dvec3(-1.1 + 1.6 * t, 2.15, 3.5 - 0.9 * ease(t)); },

@@ -18,8 +18,8 @@ void addStones(Draft& draft, Random& random) {
     const int shared = draft.model(std::move(stone));
     for (int i = 0; i < 7; ++i) {
         const double size = random.between(0.12, 0.42);
-        draft.place(shared, {random.between(-2.6, 2.6), size * 0.2, random.between(-3.0, 1.8)}, turn({0, 1, 0}, random.between(0, 6)),
-                    glm::dvec3(size));
+        const glm::dvec3 foot{random.between(-2.6, 2.6), size * 0.2, random.between(-3.0, 1.8)};
+        draft.place(shared, foot, turn({0, 1, 0}, random.between(0, 6)), glm::dvec3(size));
     }
 }
 
@@ -33,7 +33,7 @@ Model tile(uint32_t material, size_t blades, Random& random) {
         const glm::dvec3 side(cosine(angle), 0, sine(angle));
         const glm::dvec3 lean(-side.z, 0, side.x);
         const double height = random.between(0.07, 0.26);
-        const glm::dvec3 root(random.between(-0.5, 0.5), -0.05, random.between(-0.5, 0.5));
+        const glm::dvec3 root{random.between(-0.5, 0.5), -0.05, random.between(-0.5, 0.5)};
         const double width = random.between(0.010, 0.022);
         addBlade(mesh, root, {0, height + 0.05, 0}, side, lean * (height * random.between(0.1, 0.75)), width, 3);
     }
@@ -67,7 +67,7 @@ Draft buildGrass(double detail, uint64_t seed) {
     for (int z = -4; z < 2; ++z)
         for (int x = -3; x < 3; ++x) {
             const int which = tiles[static_cast<size_t>((x + 3 + 2 * (z + 4)) % kTiles)];
-            const glm::dvec3 centre(x + 0.5 + random.between(-0.1, 0.1), 0, z + 0.5 + random.between(-0.1, 0.1));
+            const glm::dvec3 centre{x + 0.5 + random.between(-0.1, 0.1), 0, z + 0.5 + random.between(-0.1, 0.1)};
             draft.place(which, centre, turn({0, 1, 0}, kPi / 2 * random.below(4)));
         }
     addStones(draft, random);

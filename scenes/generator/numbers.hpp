@@ -10,7 +10,8 @@ namespace gno::scenes {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-/// SplitMix64. Streams of different seeds are independent enough for scattering leaves.
+/// SplitMix64. Streams of different seeds are independent enough for scattering leaves. Draw once a statement, or inside braces: the order in
+/// which a compiler evaluates the arguments of a call is its own.
 class Random {
 public:
     explicit Random(uint64_t seed) : state_(seed) {}

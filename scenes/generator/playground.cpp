@@ -84,8 +84,10 @@ Draft buildPlayground(double detail, uint64_t seed) {
     for (int i = 0; i < 3; ++i) {
         const uint32_t green = draft.material("leaves", {0.20 + 0.08 * i, 0.42 - 0.03 * i, 0.10});
         const int tree = draft.model(makeTree(bark, green, 4.4 + 0.7 * i, perTree, random));
-        for (int k = i; k < kTrees; k += 3)
-            draft.place(tree, {feet[k].x, 0, feet[k].y}, turn({0, 1, 0}, random.between(0, 6)), glm::dvec3(random.between(0.85, 1.15)));
+        for (int k = i; k < kTrees; k += 3) {
+            const double heading = random.between(0, 6);
+            draft.place(tree, {feet[k].x, 0, feet[k].y}, turn({0, 1, 0}, heading), glm::dvec3(random.between(0.85, 1.15)));
+        }
     }
 
     draft.camera([](double t) { return glm::dvec3(9.5 * sine(0.55 - 1.0 * t), 7.4 - 1.4 * t, 9.6 * cosine(0.55 - 1.0 * t)); },

@@ -87,7 +87,7 @@ public:
         const bool onTable = random_.chance(0.5);
         const double x = onTable ? random_.between(-0.85, 0.8) : random_.between(-1.8, 2.6);
         const double z = onTable ? random_.between(-0.42, 0.38) : random_.between(-1.8, 2.2);
-        const glm::dvec3 size(random_.between(0.03, 0.09), random_.between(0.03, 0.12), random_.between(0.03, 0.09));
+        const glm::dvec3 size{random_.between(0.03, 0.09), random_.between(0.03, 0.12), random_.between(0.03, 0.09)};
         const glm::dvec3 low(x, onTable ? 0.767 : 0.003, z);
         items.push_back(
             {"blocks " + std::to_string(number / 500), paints_.books[static_cast<size_t>(number) % paints_.books.size()], low, low + size});

@@ -158,8 +158,9 @@ void addDock(Draft& draft) {
     crates.name = "crates";
     for (int i = 0; i < 26; ++i) {
         const double size = random.between(0.5, 1.3);
-        const glm::dvec3 place(random.between(-18, 20), size / 2 + 0.003, 9 + random.between(0, 7));
-        addBox(crates.of(timber), place, glm::dvec3(size, size, size * random.between(0.8, 1.6)), turn({0, 1, 0}, random.between(0, 3)));
+        const glm::dvec3 place{random.between(-18, 20), size / 2 + 0.003, 9 + random.between(0, 7)};
+        const glm::dvec3 whole(size, size, size * random.between(0.8, 1.6));
+        addBox(crates.of(timber), place, whole, turn({0, 1, 0}, random.between(0, 3)));
     }
     draft.placeOnce(std::move(crates));
 }
@@ -185,7 +186,7 @@ Draft buildRopes(double detail, uint64_t seed) {
     rigging.net({-6, 0.4, 9.6}, {4, 0.4, 9.6}, {3.4, deckHeight(3) + 0.9, 3.7}, {-5.4, deckHeight(-5) + 0.9, 3.7}, 24, 16);
     for (int i = 0; i < 9; ++i) {  // mooring lines
         const double x = -14 + 3.6 * i;
-        const glm::dvec3 ring(x + random.between(-4, 4), 0.05, random.between(11, 17));
+        const glm::dvec3 ring{x + random.between(-4, 4), 0.05, random.between(11, 17)};
         rigging.rope({x, deckHeight(x) + 0.4, deckHalfWidth(x)}, ring, 0.045, 0.06);
         rigging.rope({x, deckHeight(x) + 0.4, -deckHalfWidth(x)}, ring * glm::dvec3(1, 1, -1), 0.045, 0.06);
     }

@@ -26,7 +26,8 @@ void addHullShell(Mesh& mesh, double inset, double top, double bottom) {
         const double x = -17 + 34.0 * s / kSections;
         const double half = deckHalfWidth(x) - inset;
         const double high = deckHeight(x) + top;
-        const double keel = bottom + 2.4 * std::pow(std::abs(x / 17), 4);
+        const double t = x * x / (17 * 17);
+        const double keel = bottom + 2.4 * t * t;
         for (uint32_t i = 0; i < kRing; ++i) {
             const double angle = kPi * i / (kRing - 1);
             const double belly = 0.75 + 0.25 * sine(angle);

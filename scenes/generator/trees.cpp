@@ -30,14 +30,18 @@ Model makeTree(uint32_t bark, uint32_t leaf, double height, size_t triangles, Ra
         clusters.push_back(to);
         clusters.push_back((knee + to) / 2.0 + crown * 0.3 * random.direction());
     }
-    for (int i = 0; i < 8; ++i) clusters.push_back(middle + crown * random.between(0.2, 0.75) * random.direction());
+    for (int i = 0; i < 8; ++i) {
+        const double reach = crown * random.between(0.2, 0.75);
+        clusters.push_back(middle + reach * random.direction());
+    }
 
     const size_t leaves = triangles > wood.triangleCount() + 4 ? (triangles - wood.triangleCount()) / 4 : 1;
     const double size = crown * std::min(0.6, std::sqrt(34.0 / static_cast<double>(leaves)));
     Mesh foliage;
     for (size_t i = 0; i < leaves; ++i) {
         const glm::dvec3& cluster = clusters[random.below(static_cast<uint32_t>(clusters.size()))];
-        const glm::dvec3 offset = random.direction() * (crown * 0.42 * std::sqrt(random.unit()));
+        const double reach = crown * 0.42 * std::sqrt(random.unit());
+        const glm::dvec3 offset = random.direction() * reach;
         const glm::dvec3 along = glm::normalize(random.direction() + glm::dvec3(0, -0.35, 0) + 0.6 * offset / crown);
         glm::dvec3 up = random.direction();
         if (std::abs(glm::dot(along, up)) > 0.9) up = {along.y, along.z, -along.x};

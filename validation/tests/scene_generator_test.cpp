@@ -147,6 +147,14 @@ std::string whyNotClosed(const std::vector<Primitive>& mesh) {
     return {};
 }
 
+/// Numbers of the JSON part are fp32 as the animation's are: the same file from every compiler.
+void expectSinglePrecision(const std::vector<double>& values) {
+    for (const double value : values) {
+        volatile float rounded = static_cast<float>(value);
+        EXPECT_EQ(value, static_cast<double>(rounded));
+    }
+}
+
 void expectLightsCameraAction(const File& file) {
     const tinygltf::Model& model = file.model;
     ASSERT_EQ(model.cameras.size(), 1u);
@@ -161,7 +169,11 @@ void expectLightsCameraAction(const File& file) {
     for (const auto& channel : model.animations[0].channels) moved.insert(channel.target_node);
     std::set<int> lights;
     int cameras = 0;
+    for (const tinygltf::Material& material : model.materials) expectSinglePrecision(material.pbrMetallicRoughness.baseColorFactor);
     for (size_t i = 0; i < model.nodes.size(); ++i) {
+        expectSinglePrecision(model.nodes[i].translation);
+        expectSinglePrecision(model.nodes[i].rotation);
+        expectSinglePrecision(model.nodes[i].scale);
         const auto found = model.nodes[i].extensions.find("KHR_lights_punctual");
         if (found != model.nodes[i].extensions.end()) lights.insert(found->second.Get("light").GetNumberAsInt());
         if (model.nodes[i].camera < 0) continue;
