@@ -22,10 +22,10 @@
 GNO_NAMESPACE_BEGIN
 
 GNO_INLINE float gnoSnapCoordinate_(float x_) {
-    if (!(abs(x_) < 1.52587890625e-5f)) return x_;              // from 2^-17 on every fp32 number is a multiple of 2^-40
-    precise float scaled_ = x_ * 1099511627776.0f;              // 2^40, exact
-    precise float snapped_ = floor(scaled_ + 0.5f) * 9.094947017729282e-13f;
-    return snapped_ + 0.0f;                                      // no -0
+    if (!(abs(x_) < 7.62939453125e-6f)) return x_;  // from 2^-17 on every fp32 number is a multiple of 2^-40
+    precise float scaled_ = x_ * 1099511627776.0f;  // 2^40; both products are exact
+    precise float snapped_ = roundEven(scaled_) * 9.094947017729282e-13f;
+    return snapped_ == 0.0f ? 0.0f : snapped_;  // no -0
 }
 
 GNO_INLINE vec3 gnoSnapToGrid(vec3 p_) { return vec3(gnoSnapCoordinate_(p_.x), gnoSnapCoordinate_(p_.y), gnoSnapCoordinate_(p_.z)); }

@@ -66,6 +66,7 @@ using glm::sign;
 using glm::sqrt;
 using glm::trunc;
 
+inline float roundEven(float x) { return std::nearbyint(x); }
 inline float inversesqrt(float x) { return 1.0f / std::sqrt(x); }
 
 inline float dot(vec2 x, vec2 y) { return x.x * y.x + x.y * y.y; }
@@ -129,6 +130,38 @@ inline uint bitfieldReverse(uint x) {
         result |= ((x >> bit) & 1u) << (31 - bit);
     }
     return result;
+}
+
+// One thread only: what the device does atomically, in an order of the caller's.
+inline uint atomicCompSwap(uint& memory, uint compare, uint data) {
+    const uint before = memory;
+    if (before == compare) memory = data;
+    return before;
+}
+inline uint atomicMin(uint& memory, uint data) {
+    const uint before = memory;
+    if (data < before) memory = data;
+    return before;
+}
+inline uint atomicMax(uint& memory, uint data) {
+    const uint before = memory;
+    if (data > before) memory = data;
+    return before;
+}
+inline uint atomicAdd(uint& memory, uint data) {
+    const uint before = memory;
+    memory += data;
+    return before;
+}
+inline uint atomicOr(uint& memory, uint data) {
+    const uint before = memory;
+    memory |= data;
+    return before;
+}
+inline uint atomicExchange(uint& memory, uint data) {
+    const uint before = memory;
+    memory = data;
+    return before;
 }
 
 }  // namespace gno
