@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // gnomon core/bindings.glsl : our buffer of casters; leave it out and define GNO_LOAD_CASTER yourself where your storage differs.
 //
+//   GnoCaster gnoLoadCaster(uint index)      what GNO_LOAD_CASTER(index) is then
+//
+// Space      casters on the scene grid
+// Stages     any with storage buffers (readonly)
 // Requires   #version 450, no extension
 //
 // Macro                     required  default  meaning

@@ -4,6 +4,7 @@
 //   GNO_COUNT(member, amount)      adds to gnoCounters.member
 //   GNO_COUNT_MAX(member, value)   keeps the largest
 //
+// Space      none: no positions
 // Stages     any; a private global of the invocation, no memory is touched: the entry point stores what it wants of it
 // Requires   #version 450, no extension
 // Cost       nothing with GNO_COUNTERS 0: the macros are empty and the global does not exist
@@ -22,7 +23,7 @@ struct GnoCounters {
     uint visitedNodes;    // node loads of a query, second visits included
     uint deepestStack;    // entries on the stack at its fullest
     uint stackOverflows;  // intersection children that found the stack full
-    uint exactCalls;      // volumes whose owner's decision was left to the last word
+    uint exactCalls;      // planes (conservative: volumes) that were left to the last word
     uint buildSteps;      // nodes an insertion went through
     uint intersections;   // steps of an insertion into an intersection child
     uint dropped;         // insertions that ended inside another volume

@@ -6,6 +6,7 @@
 //   uvec4        gnoDot_(GnoInt96x3_ x, GnoInt64x3_ y)          dot product, lowest word first
 //   int          gnoSign_(uvec4 x)                              -1, 0 or 1
 //
+// Space      positions on the scene grid, with room for samples that were moved off their surface
 // Numbers    two's complement in 32-bit words, w0_ the lowest; all sums and products are taken modulo 2^words, so that only the results have to fit
 // Widths     coordinates |x| <= 1.5, multiples of 2^-40: below 2^41; differences at most 3 * 2^40 < 2^42; minors at most 2 * 9 * 2^80 < 2^85
 //            (96 bits hold them); determinants at most 4 * 27 * 2^120 < 2^127 (a 3x3 determinant with entries in [-m, m] is at most 4 m^3)

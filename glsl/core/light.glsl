@@ -7,7 +7,11 @@
 //   vec3  gnoFromLight(vec4 light, vec3 p)    w = 1: p - light; w = 0: p. The coordinates in which planes are stored and evaluated
 //   float gnoLightScale(vec4 light, vec3 q)   what rounding errors at q = gnoFromLight(p) are relative to: |q|, or the scene's radius
 //   float gnoLightDepth(vec4 light, vec3 q)   grows away from the light, never negative: |q|, or the depth along the light's direction
+//   float gnoDot(vec3 a, vec3 b)              dot, cross and length whose products and sums are spelled out: `precise` does not reach
+//   vec3  gnoCross(vec3 a, vec3 b)            into the built-in ones
+//   float gnoLength(vec3 v)
 //
+// Space      p on the scene grid; q = gnoFromLight(light, p)
 // Rounding   GNO_ULP bounds the relative error of one fp32 operation under any rounding mode; GNO_BAND = 8 GNO_ULP is the band of
 //            exactness.md, section 3: inside it a plane's sign is not certain. top/plane.glsl derives it.
 // Stages     any; pure

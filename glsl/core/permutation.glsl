@@ -5,6 +5,8 @@
 //
 // A keyed bijection of the next power of two (multiplications by odd numbers and xor-shifts are both invertible there), walked until it
 // lands below count ("cycle walking"): fewer than two rounds on average.
+//
+// Space      none: no positions
 // Stages     any; pure
 // Requires   #version 450, no extension
 #ifndef GNO_CORE_PERMUTATION_GLSL

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // gnomon core/portable.h : what one source needs to be read by two compilers, glslang and C++20 (validation/support/glsl_as_cpp.hpp).
 //
+// Space      none: no positions
+// Stages     any
 // Requires   #version 450, no extension
 //
 // Rules for a file that both read: output parameters are written GNO_OUT(type) or GNO_INOUT(type); float literals end in f (1.0f); integer

@@ -2,6 +2,7 @@
 // gnomon core/shared_types.h : values that every module speaks of; read by glslang and by C++20 (namespace gno, with GLM).
 //
 // Space      positions are on the scene grid: fp32 multiples of 2^-40 in [-1, 1] (README "Conventions")
+// Stages     any
 // Requires   #version 450, no extension
 #ifndef GNO_CORE_SHARED_TYPES_H
 #define GNO_CORE_SHARED_TYPES_H
