@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 // gnomon top/bindings.glsl : our buffers for a TOP tree; the only file of the module with layout(set = ...).
 //
+//   GnoTopNode gnoTopLoadNode(uint index)     what GNO_TOP_LOAD_NODE(index) is then
+//
+// Defines    GNO_TOP_PLANES, GNO_TOP_LINKS, GNO_TOP_HEADER (for build.glsl); GNO_TOP_ROOT, GNO_TOP_LOAD_NODE, GNO_TOP_LOAD_ANCESTOR,
+//            GNO_TOP_LOAD_FACING (for the queries)
+// Space      planes in the coordinates of gnoFromLight (core/light.glsl)
+// Stages     any with storage buffers; a build needs them writable (fragment stage: fragmentStoresAndAtomics)
 // Requires   #version 450, no extension. Include before build.glsl or a query; leave it out where your storage differs
 //
 // Macro                   required  default  meaning
@@ -44,8 +50,9 @@ layout(set = GNO_TOP_SET, binding = GNO_TOP_BINDING_HEADER, std430) GNO_TOP_ACCE
 
 GnoTopNode gnoTopLoadNode(uint index_) {
     GnoTopLink link_ = gnoTopLinks.v[index_];
-    return GnoTopNode(gnoTopPlanes.v[index_], link_.positiveChild, link_.intersectionChild, link_.aux, uintBitsToFloat(link_.wedge));
+    return GnoTopNode(gnoTopPlanes.v[index_], link_.positiveChild, link_.intersectionChild, link_.aux, link_.wedge);
 }
 #define GNO_TOP_LOAD_NODE(index_) gnoTopLoadNode(index_)
 #define GNO_TOP_LOAD_ANCESTOR(index_) gnoTopLinks.v[((index_) & ~3u) + 1u].aux
+#define GNO_TOP_LOAD_FACING(index_) gnoTopLinks.v[((index_) & ~3u) + 2u].aux
 #endif

@@ -9,12 +9,25 @@
 // who has it. Planes and links are published by the dispatch boundary, so no acquire or release is needed, on any device. Before dispatch 1
 // header.root is GNO_TOP_NONE. For a balanced tree call gnoTopInsert(gnoPermute(i, n, seed)) for i = 0 .. n - 1 (core/permutation.glsl).
 //
+// What differs from the paper, but for `published`:
+// - Margins (plane.glsl): a caster goes to one side only when its whole volume certainly does.
+// - A cap has no intersection child. A point that is not in the owner's shadow would visit both it and the positive child, always; one subtree is cheaper than two.
+// - Touching (`certified`). A caster's vertex that is also an end point of the plane's own edge (cap: a vertex of the owner) lies on the plane exactly; it counts as neither
+//   side, so a neighbour in a mesh goes to the side of its other vertices instead of to the intersection child. The queries then route by the exact sign of
+//   the owner's plane inside the band: lateral zero goes negative, cap zero positive (visit.glsl). This is safe. Let p be in the volume of a caster T in the
+//   - lateral, positive child: p is a sum of T's vertices with weights >= 0, their exact sides are > 0 or, touching, 0. If p's is > 0, p is routed to T. If it is 0, p
+//     lies in the cone over touching vertices alone: beyond a point x of the owner's own edge, strictly, because p is strictly behind T. x belongs to the owner, p is in the
+//     owner's closed cone and strictly behind it: the owner shadows p, and the negative route finds it. (A sample that lies on the owner is in front of it, never behind x.)
+//   - lateral, negative child: p's exact side is <= 0, and p is routed there.
+//   - cap, dropped T: T is in the owner's closed cone, its vertices are behind the cap or on it; p = L + sum l_i (v_i - L) with sum l_i > 1 (strictly behind T) and the
+//     light is in front, so p's side is < 0: the owner shadows p. The same holds towards infinity.
+//
 // Space      casters on the scene grid; facing = gnoFacing(light, caster), exact
 // Stages     any with storage buffers; no barrier, no shared memory, may diverge
 // Requires   #version 450, no extension
 // Reads      casters, planes; dispatch 2 reads links by atomics only
 // Writes     planes, links, header
-// Cost       21 steps per caster and 2 atomics per step, about (random order)
+// Cost       20 steps per caster and an atomic per step, about (random order, 100,000 casters)
 //
 // Macro                     required  default                   meaning
 // GNO_TOP_PLANES            yes       -                         array of vec4, 4 per caster
@@ -41,7 +54,29 @@
 #endif
 GNO_NAMESPACE_BEGIN
 
-GNO_CONST uint GNO_TOP_LEFT_OUT_ = 1u;  // in the aux of a volume's third node: this caster is not to be inserted
+// A vertex of t that is also an end point of the plane's own edge (cap: a vertex of the owner) lies on the plane exactly, whatever fp32 says.
+GNO_INLINE bool gnoTopTouches_(vec3 v_, GnoCaster owner_, uint place_) {
+    if (place_ == 3u) return v_ == owner_.a || v_ == owner_.b || v_ == owner_.c;
+    vec3 first_ = place_ == 0u ? owner_.a : place_ == 1u ? owner_.b : owner_.c;
+    vec3 second_ = place_ == 0u ? owner_.b : place_ == 1u ? owner_.c : owner_.a;
+    return v_ == first_ || v_ == second_;
+}
+
+// Both bounds of a node only grow; the halves of one word grow together by compare-and-swap.
+GNO_INLINE void gnoTopWiden_(uint node_, uint wedge_) {
+    if (GNO_PRECISION == GNO_PRECISION_PUBLISHED) {
+        atomicMax(GNO_TOP_LINKS[node_].wedge, wedge_);
+        return;
+    }
+    uint expected_ = 0u;
+    for (;;) {
+        uint wider_ = gnoTopWidest(expected_, wedge_);
+        if (wider_ == expected_) return;
+        uint found_ = atomicCompSwap(GNO_TOP_LINKS[node_].wedge, expected_, wider_);
+        if (found_ == expected_) return;
+        expected_ = found_;
+    }
+}
 
 GNO_INLINE void gnoTopSetUp(uint caster_, int facing_) {
     uint first_ = 4u * caster_;
@@ -56,7 +91,7 @@ GNO_INLINE void gnoTopSetUp(uint caster_, int facing_) {
                        max(gnoLightScale(GNO_LIGHT, gnoFromLight(GNO_LIGHT, t_.b)), gnoLightScale(GNO_LIGHT, gnoFromLight(GNO_LIGHT, t_.c))));
     GNO_TOP_LINKS[first_].aux = floatBitsToUint(depth_);
     GNO_TOP_LINKS[first_ + 1u].aux = GNO_TOP_NONE;
-    GNO_TOP_LINKS[first_ + 2u].aux = facing_ == 0 ? GNO_TOP_LEFT_OUT_ : 0u;
+    GNO_TOP_LINKS[first_ + 2u].aux = uint(facing_ + 1);
     GNO_TOP_LINKS[first_ + 3u].aux = floatBitsToUint(reach_);
     GNO_TOP_PLANES[first_] = gnoTopLateralPlane(GNO_LIGHT, t_.a, t_.b, facing_, GNO_PRECISION);
     GNO_TOP_PLANES[first_ + 1u] = gnoTopLateralPlane(GNO_LIGHT, t_.b, t_.c, facing_, GNO_PRECISION);
@@ -66,7 +101,7 @@ GNO_INLINE void gnoTopSetUp(uint caster_, int facing_) {
 
 GNO_INLINE bool gnoTopInsert(uint caster_) {
     uint first_ = 4u * caster_;
-    if (GNO_TOP_LINKS[first_ + 2u].aux == GNO_TOP_LEFT_OUT_) return false;  // written in dispatch 1 only
+    if (GNO_TOP_LINKS[first_ + 2u].aux == 1u) return false;  // facing 0: left out; written in dispatch 1 only
     GnoCaster t_ = GNO_LOAD_CASTER(caster_);
     vec3 q0_ = gnoFromLight(GNO_LIGHT, t_.a);
     vec3 q1_ = gnoFromLight(GNO_LIGHT, t_.b);
@@ -90,8 +125,16 @@ GNO_INLINE bool gnoTopInsert(uint caster_) {
             margins_ = vec3(gnoTopMargin(GNO_LIGHT, cap_, scales_.x, reach_), gnoTopMargin(GNO_LIGHT, cap_, scales_.y, reach_),
                             gnoTopMargin(GNO_LIGHT, cap_, scales_.z, reach_));
         }
-        bool below_ = sides_.x < -margins_.x && sides_.y < -margins_.y && sides_.z < -margins_.z;
-        bool above_ = sides_.x > margins_.x && sides_.y > margins_.y && sides_.z > margins_.z;
+        bvec3 neither_ = bvec3(false);
+        bool near_ = abs(sides_.x) <= margins_.x || abs(sides_.y) <= margins_.y || abs(sides_.z) <= margins_.z;
+        if (GNO_PRECISION == GNO_PRECISION_CERTIFIED && near_) {
+            GnoCaster owner_ = GNO_LOAD_CASTER(node_ >> 2);
+            neither_ = bvec3(gnoTopTouches_(t_.a, owner_, node_ & 3u), gnoTopTouches_(t_.b, owner_, node_ & 3u), gnoTopTouches_(t_.c, owner_, node_ & 3u));
+            sides_ = vec3(neither_.x ? 0.0f : sides_.x, neither_.y ? 0.0f : sides_.y, neither_.z ? 0.0f : sides_.z);
+        }
+        bool below_ = (neither_.x || sides_.x < -margins_.x) && (neither_.y || sides_.y < -margins_.y) && (neither_.z || sides_.z < -margins_.z);
+        bool above_ = (neither_.x || sides_.x > margins_.x) && (neither_.y || sides_.y > margins_.y) && (neither_.z || sides_.z > margins_.z);
+        if (cap_ && GNO_PRECISION != GNO_PRECISION_PUBLISHED) above_ = true;  // one child in front of a cap, not two
         if (below_) {
             if (cap_) {  // inside another shadow volume: nothing to add
                 GNO_COUNT(dropped, 1u);
@@ -103,8 +146,7 @@ GNO_INLINE bool gnoTopInsert(uint caster_) {
         } else {
             GNO_COUNT(intersections, 1u);
             if (!cap_) {  // the capping plane does not pass through the light: it has no wedge
-                float wedge_ = gnoTopWedge(GNO_LIGHT, sides_, scales_, depth_, spread_, GNO_PRECISION);
-                atomicMax(GNO_TOP_LINKS[node_].wedge, floatBitsToUint(wedge_));
+                gnoTopWiden_(node_, gnoTopWedge(GNO_LIGHT, sides_, scales_, depth_, spread_, GNO_PRECISION));
             }
             ancestor_ = node_;
             node_ = atomicCompSwap(GNO_TOP_LINKS[node_].intersectionChild, GNO_TOP_NONE, first_);

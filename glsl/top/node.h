@@ -3,6 +3,10 @@
 // After Mora, Gerhards, Aveneau, Ghazanfarpour, "Deep Partitioned Shadow Volumes Using Stackless and Hybrid Traversals", EGSR 2016,
 // section 3.6 (four consecutive nodes per shadow volume, the negative child is the next node, 128 bytes per caster).
 //
+// Space      planes in the coordinates of gnoFromLight (core/light.glsl)
+// Stages     any
+// Requires   #version 450, no extension
+//
 // Caster c owns nodes 4c .. 4c+3: three shadow planes through the light and edges ab, bc, ca, then its capping plane. Nothing is allocated:
 // the place of a node follows from its caster. The 32 bytes of a node lie in two arrays of 16, so that one binding of 128 MiB
 // holds 2,097,152 casters, and what never changes is apart from what the build changes.
@@ -15,7 +19,7 @@
 // GnoTopLink::aux holds one thing per volume, by the node's place in it:
 //   0  least depth of the casters in this subtree, float bits (gnoLightDepth, a lower bound; build: atomicMin)
 //   1  ancestor: the node whose intersection subtree this volume stands in, GNO_TOP_NONE in none (section 3.4)
-//   2  nothing
+//   2  facing + 1 (gnoFacing): 0 or 2; 1: the caster is left out
 //   3  reach: the caster's largest gnoLightScale, float bits
 #ifndef GNO_TOP_NODE_H
 #define GNO_TOP_NODE_H
@@ -28,7 +32,7 @@ struct GnoTopLink {          // std430, 16 bytes
     uint positiveChild;      //  0  GNO_TOP_NONE when absent
     uint intersectionChild;  //  4
     uint aux;                //  8  see the table above
-    uint wedge;              // 12  float bits, >= 0: bound of |plane(q)| / gnoLightScale(q) over the intersection child's volumes
+    uint wedge;              // 12  bounds of the intersection child's volumes, see gnoTopWedge in plane.glsl
 };
 GNO_STRUCT_SIZE(GnoTopLink, 16)
 GNO_STRUCT_OFFSET(GnoTopLink, intersectionChild, 4)
@@ -48,7 +52,7 @@ struct GnoTopNode {          // a value: one node as a query sees it
     uint positiveChild;
     uint intersectionChild;
     uint aux;
-    float wedge;
+    uint wedge;
 };
 
 #ifdef __cplusplus

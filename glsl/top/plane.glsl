@@ -8,11 +8,17 @@
 //   float gnoTopBand(vec4 light, bool cap, float scale, float reach)       |side| <= band: the sign is not certain
 //   float gnoTopMargin(vec4 light, bool cap, float scale, float reach)     |side| > margin at all three vertices: so is the whole volume
 //   float gnoTopLeastDepth(vec4 light, GnoCaster t)        lower bound of gnoLightDepth over the caster, rounding included
+//   float gnoTopPublishedDepth(vec4 light, GnoCaster t)    the paper's: fp32, not a bound
 //   float gnoTopSpread(vec4 light, vec3 q0, vec3 q1, vec3 q2)              see gnoTopWedge
-//   float gnoTopWedge(...)                                 upper bound of |side(q)| / scale(q) over the caster's volume, rounding included
+//   uint  gnoTopWedge(...)                                 upper bounds of side(q) / scale(q) and -side(q) / scale(q) over the caster's volume, rounding
+//                                                          included: the upper halves of their float bits, rounded up, the positive side's in the high half.
+//                                                          `published`: the float bits of the largest sine of a vertex
+//   uint  gnoTopWidest(uint a, uint b)                     the wedge that holds both (not for `published`: there it is the maximum of two uints)
+//   bool  gnoTopInWedge(uint wedge, float side, float scale, uint precision)       false: certainly outside
 //
 // Space      positions on the scene grid; q = gnoFromLight(p); facing = gnoFacing(light, t), never 0
-// Stages     any; pure. Requires #version 450, no extension
+// Stages     any; pure
+// Requires   #version 450, no extension
 //
 // The constants hold for the expressions as written, componentwise, without contraction. u = GNO_ULP = 2^-23 bounds the relative error of one
 // operation in any rounding mode, E = GNO_BAND = 8u. Grid coordinates keep every product far above the smallest normal number but for
@@ -33,10 +39,12 @@
 // 5. Directional light, S = GNO_SCENE_RADIUS. side = fl(n.p + d): 5uS against the stored plane, which errs against N by (err/len + 6u) 2S/kappa: band 2ES.
 //    N.D = 0, so |n.D'| <= (err/len + u)/kappa <= E for D' = D/|D|. A point of the volume is x - mu D', x in the caster, mu <= 2S: its computed side is
 //    above margin - 5uS - 2SE - 5uS > 2ES when the margin is 5.25ES; taken: 6ES. The same for the cap with margin 6ES.
-// 6. Wedge. o_i = computed sides of the vertices. Point: w = max |o_i|/|v_i|, c the unit sum of the vertices' directions, s = min c.v_i/|v_i|: for q = sum l_i v_i,
-//    |n.q| <= sum l_i |n.v_i| and |q| >= c.q >= s sum l_i |v_i|, so |side|/|q| <= (w + 10u + rounding)/s: (w + 2E)/(s - 2E) (s errs by 11u), used when s > 1/64. And with depth,
-//    a lower bound of the caster's distance: the volume's directions are the caster's, so (max |o_i| + 2E max |v_i|)/depth. Each is valid; the smaller is taken.
-//    Directional: |side| <= max |o_i| + 2SE + 10uS < max |o_i| + 6ES over the volume; divided by the scale S it is comparable in the same way.
+// 6. Wedge, for the positive side (the negative one likewise with -o_i). o_i = computed sides of the vertices. Point: w = max(0, max o_i/|v_i|), c the unit sum of the
+//    vertices' directions, s = min c.v_i/|v_i|: for q = sum l_i v_i, n.q <= sum l_i max(0, n.v_i) and |q| >= c.q >= s sum l_i |v_i|, so side/|q| <= (w + 10u + rounding)/s:
+//    (w + 2E)/(s - 2E) (s errs by 11u), used when s > 1/64. And with depth, a lower bound of the caster's distance: the volume's directions are the caster's, so
+//    (max(0, max o_i) + 2E max |v_i|)/depth. Each is valid; the smaller is taken. The paper's bound (its vertices' largest sine) is not: an arc between two vertices bulges.
+//    Directional: side <= max(0, max o_i) + 2SE + 10uS < max(0, max o_i) + 6ES over the volume; divided by the scale S it is comparable in the same way.
+//    A side in the band is below 2E and so below either bound, whatever its computed sign.
 // 7. Least depth. Any vector g of length <= 1 + 4u bounds the distance from below by min g.v_i; minus 2E|v_i| (g.v errs by 4u|v|, |q| in the query by 4u|q|).
 //    Directional: min over the vertices of the depth, each side errs by at most 16u, so minus 5E.
 #ifndef GNO_TOP_PLANE_GLSL
@@ -171,22 +179,40 @@ GNO_INLINE float gnoTopSpread(vec4 light_, vec3 q0_, vec3 q1_, vec3 q2_) {
     return min(gnoDot(c_, u0_), min(gnoDot(c_, u1_), gnoDot(c_, u2_))) - 2.0f * GNO_BAND;
 }
 
-// sides, scales: gnoTopSide and gnoLightScale of the caster's three vertices; depth = gnoTopLeastDepth, spread = gnoTopSpread.
-GNO_INLINE float gnoTopWedge(vec4 light_, vec3 sides_, vec3 scales_, float depth_, float spread_, uint precision_) {
-    vec3 o_ = abs(sides_);
-    float widest_ = max(o_.x, max(o_.y, o_.z));
-    if (light_.w == 0.0f) {
-        float slack_ = precision_ == GNO_PRECISION_PUBLISHED ? 0.0f : 6.0f * GNO_BAND * GNO_SCENE_RADIUS;
-        return (widest_ + slack_) * ((1.0f + 4.0f * GNO_ULP) / GNO_SCENE_RADIUS);
-    }
-    float sine_ = max(o_.x / scales_.x, max(o_.y / scales_.y, o_.z / scales_.z));
-    if (!(min(scales_.x, min(scales_.y, scales_.z)) > 1e-15f)) return GNO_TOP_NO_BOUND;
-    if (precision_ == GNO_PRECISION_PUBLISHED) return sine_;  // vertices only: an arc between two of them may bulge beyond both
-    float farthest_ = max(scales_.x, max(scales_.y, scales_.z));
+// One bound of (6): `most` = max of side/scale over the vertices, `farthest` = max scale, `widest` = max side; both sides not below 0.
+GNO_INLINE float gnoTopBound_(vec4 light_, float most_, float widest_, float farthest_, float depth_, float spread_) {
+    if (light_.w == 0.0f) return (widest_ + 6.0f * GNO_BAND * GNO_SCENE_RADIUS) * ((1.0f + 4.0f * GNO_ULP) / GNO_SCENE_RADIUS);
     float bound_ = GNO_TOP_NO_BOUND;
-    if (spread_ > 0.015625f) bound_ = (sine_ + 2.0f * GNO_BAND) / spread_;
+    if (spread_ > 0.015625f) bound_ = (most_ + 2.0f * GNO_BAND) / spread_;
     if (depth_ > 1e-12f) bound_ = min(bound_, (widest_ + 2.0f * GNO_BAND * farthest_) / depth_);
     return bound_ * (1.0f + 16.0f * GNO_ULP);
+}
+
+GNO_INLINE float gnoTopMax_(vec3 v_) { return max(v_.x, max(v_.y, v_.z)); }
+
+GNO_INLINE uint gnoTopHalf_(float bound_) { return (floatBitsToUint(bound_) + 0xFFFFu) >> 16; }  // the upper half of its bits, rounded up
+
+GNO_INLINE uint gnoTopWidest(uint a_, uint b_) { return max(a_ & 0xFFFF0000u, b_ & 0xFFFF0000u) | max(a_ & 0xFFFFu, b_ & 0xFFFFu); }
+
+// sides, scales: gnoTopSide and gnoLightScale of the caster's three vertices; depth = gnoTopLeastDepth, spread = gnoTopSpread.
+GNO_INLINE uint gnoTopWedge(vec4 light_, vec3 sides_, vec3 scales_, float depth_, float spread_, uint precision_) {
+    bool usable_ = light_.w == 0.0f || min(scales_.x, min(scales_.y, scales_.z)) > 1e-15f;
+    if (precision_ == GNO_PRECISION_PUBLISHED) {  // vertices only: an arc between two of them may bulge beyond both
+        if (!usable_) return floatBitsToUint(GNO_TOP_NO_BOUND);
+        return floatBitsToUint(gnoTopMax_(vec3(abs(sides_.x) / scales_.x, abs(sides_.y) / scales_.y, abs(sides_.z) / scales_.z)));
+    }
+    if (!usable_) return (gnoTopHalf_(GNO_TOP_NO_BOUND) << 16) | gnoTopHalf_(GNO_TOP_NO_BOUND);
+    vec3 sines_ = vec3(sides_.x / scales_.x, sides_.y / scales_.y, sides_.z / scales_.z);
+    float farthest_ = gnoTopMax_(scales_);
+    float positive_ = gnoTopBound_(light_, max(0.0f, gnoTopMax_(sines_)), max(0.0f, gnoTopMax_(sides_)), farthest_, depth_, spread_);
+    float negative_ = gnoTopBound_(light_, max(0.0f, gnoTopMax_(-sines_)), max(0.0f, gnoTopMax_(-sides_)), farthest_, depth_, spread_);
+    return (gnoTopHalf_(positive_) << 16) | gnoTopHalf_(negative_);
+}
+
+// False: no point of the intersection child's volumes has this side and scale.
+GNO_INLINE bool gnoTopInWedge(uint wedge_, float side_, float scale_, uint precision_) {
+    if (precision_ == GNO_PRECISION_PUBLISHED) return abs(side_) <= uintBitsToFloat(wedge_) * scale_;
+    return side_ > 0.0f ? side_ <= uintBitsToFloat(wedge_ & 0xFFFF0000u) * scale_ : -side_ <= uintBitsToFloat(wedge_ << 16) * scale_;
 }
 
 GNO_NAMESPACE_END

@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: MIT
 // gnomon top/visit.glsl : what one node of a TOP tree says about a point; shared by the three queries, not for use alone.
 //
-// Outside the band a plane's fp32 sign is certain: it routes, and it is the owner's decision. Inside a lateral plane's band the point lies in no
-// volume of the positive or the negative child (their margin is wider): the owner's volume is decided by the last word, then only the
-// intersection child is left. Inside the cap's band the positive child is left as well: the cap does not pass through the light, casters
-// in front of it do shadow points on it. The caster that a sample lies on never shadows it. `published` routes by the sign alone.
+// Outside the band (plane.glsl) a plane's fp32 sign is certain: it routes, and it is the owner's decision. Inside the band
+//   certified      the exact sign of the owner's plane at p does both: lateral zero goes negative (the volume is closed), cap zero positive (in shadow is strictly
+//                  behind). Casters that touch the plane are filed by it (build.glsl). A sample's own caster never shadows it: at its cap the point goes positive.
+//   conservative   in a lateral band the point lies in no volume of the positive or the negative child (their margin is wider): the owner's volume is decided in fp32
+//                  at the caster (core/decide.glsl), then only the intersection child is left. In the cap's band the positive child is left as well: the cap does not
+//                  pass through the light, casters in front of it do shadow points on it.
+//   published      has no band: the fp32 sign routes, zero goes negative, the sample's own caster is like any other.
+//
+// Space      as the queries
+// Stages     any; no barrier, no shared memory, may diverge
+// Requires   #version 450, no extension, no optional device feature
 //
 // Macro                        required  default                  meaning
 // GNO_TOP_LOAD_NODE(index)     yes       -                        GnoTopNode at index; index < node count, never GNO_TOP_NONE; no side effect
 // GNO_TOP_LOAD_ANCESTOR(index) yes       -                        ancestor link of the volume that node index belongs to
+// GNO_TOP_LOAD_FACING(index)   yes       -                        facing + 1 of the caster that node index belongs to
 // GNO_TOP_ROOT                 no        0u                       index of the root; GNO_TOP_NONE means an empty tree: everything is lit
 // GNO_LIGHT                    yes       -                        vec4, homogeneous (core/light.glsl)
 // GNO_LOAD_CASTER(index)       yes       -                        GnoCaster, on the scene grid
@@ -19,14 +27,14 @@
 #include "../core/counters.glsl"
 #include "../core/decide.glsl"
 #include "plane.glsl"
-#if !defined(GNO_TOP_LOAD_NODE) || !defined(GNO_TOP_LOAD_ANCESTOR)
-#error "top: define GNO_TOP_LOAD_NODE(index) and GNO_TOP_LOAD_ANCESTOR(index) or include top/bindings.glsl before this file"
+#if !defined(GNO_TOP_LOAD_NODE) || !defined(GNO_TOP_LOAD_ANCESTOR) || !defined(GNO_TOP_LOAD_FACING)
+#error "top/visit.glsl: define GNO_TOP_LOAD_NODE(index), GNO_TOP_LOAD_ANCESTOR(index) and GNO_TOP_LOAD_FACING(index) or include top/bindings.glsl before this file"
 #endif
 #ifndef GNO_LIGHT
-#error "top: define GNO_LIGHT, a homogeneous vec4"
+#error "top/visit.glsl: define GNO_LIGHT, a homogeneous vec4"
 #endif
 #ifndef GNO_LOAD_CASTER
-#error "top: define GNO_LOAD_CASTER(index) or include core/bindings.glsl before this file"
+#error "top/visit.glsl: define GNO_LOAD_CASTER(index) or include core/bindings.glsl before this file"
 #endif
 #ifndef GNO_TOP_ROOT
 #define GNO_TOP_ROOT 0u
@@ -64,7 +72,19 @@ GNO_INLINE bool gnoTopFarther_(GnoTopPoint_ point_, GnoTopNode node_, uint index
 
 GNO_INLINE bool gnoTopMeetsIntersection_(GnoTopPoint_ point_, GnoTopNode node_, uint index_, float side_) {
     if (node_.intersectionChild == GNO_TOP_NONE) return false;
-    return (index_ & 3u) == 3u || abs(side_) <= node_.wedge * point_.scale;
+    return (index_ & 3u) == 3u || gnoTopInWedge(node_.wedge, side_, point_.scale, GNO_PRECISION);
+}
+
+// The exact side of a point in the band: 1 positive, -1 negative, 0 on the plane.
+GNO_INLINE int gnoTopExactSide_(GnoTopPoint_ point_, uint index_) {
+    GnoCaster t_ = GNO_LOAD_CASTER(index_ >> 2);
+    uint place_ = index_ & 3u;
+    vec4 origin_ = place_ == 3u ? vec4(t_.a, 1.0f) : GNO_LIGHT;  // orient3d(a, b, c, p), or orient3d(light, a, b, p) and its rotations
+    vec3 first_ = place_ == 0u ? t_.a : place_ == 2u ? t_.c : t_.b;
+    vec3 second_ = place_ == 0u ? t_.b : place_ == 2u ? t_.a : t_.c;
+    GNO_COUNT(exactCalls, 1u);
+    int sign_ = gnoOrient3dLight(origin_, first_, second_, point_.position);
+    return GNO_TOP_LOAD_FACING(index_) == 2u ? -sign_ : sign_;
 }
 
 const uint GNO_TOP_SHADOW_ = 0xFFFFFFFEu;  // what gnoTopNext_ returns for "in the owner's volume"
@@ -77,7 +97,14 @@ GNO_INLINE uint gnoTopNext_(GnoTopPoint_ point_, GnoTopNode node_, uint index_, 
         return cap_ ? GNO_TOP_SHADOW_ : index_ + 1u;
     }
     uint owner_ = index_ >> 2;
-    if (abs(side_) <= gnoTopBand(GNO_LIGHT, cap_, point_.scale, cap_ ? uintBitsToFloat(node_.aux) : 0.0f)) {
+    bool uncertain_ = abs(side_) <= gnoTopBand(GNO_LIGHT, cap_, point_.scale, cap_ ? uintBitsToFloat(node_.aux) : 0.0f);
+    if (cap_ && owner_ == point_.own) return node_.positiveChild;
+    if (uncertain_ && GNO_PRECISION == GNO_PRECISION_CERTIFIED) {
+        int exact_ = gnoTopExactSide_(point_, index_);
+        if (cap_) return exact_ < 0 ? GNO_TOP_SHADOW_ : node_.positiveChild;
+        return exact_ > 0 ? node_.positiveChild : index_ + 1u;
+    }
+    if (uncertain_) {
         if (owner_ != point_.own) {
             GNO_COUNT(exactCalls, 1u);
             if (gnoDecideInShadow(GNO_LIGHT, GNO_LOAD_CASTER(owner_), point_.position, GNO_PRECISION)) return GNO_TOP_SHADOW_;
@@ -85,8 +112,7 @@ GNO_INLINE uint gnoTopNext_(GnoTopPoint_ point_, GnoTopNode node_, uint index_, 
         return cap_ ? node_.positiveChild : GNO_TOP_NONE;
     }
     if (side_ > 0.0f) return node_.positiveChild;
-    if (!cap_) return index_ + 1u;
-    return owner_ != point_.own ? GNO_TOP_SHADOW_ : node_.positiveChild;
+    return cap_ ? GNO_TOP_SHADOW_ : index_ + 1u;
 }
 
 GNO_NAMESPACE_END
