@@ -1,0 +1,37 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// All modules in one shader, in the opposite order: none leans on what another happened to include before.
+layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
+#define GNO_LIGHT push.light
+#include "gnomon/core/bindings.glsl"
+#include "gnomon/top/bindings.glsl"
+#include "gnomon/top/visit.glsl"
+#include "gnomon/top/query_stackless.glsl"
+#include "gnomon/top/query_stack.glsl"
+#include "gnomon/top/query_hybrid.glsl"
+#include "gnomon/top/plane.glsl"
+#include "gnomon/top/node.h"
+#include "gnomon/top/build.glsl"
+#include "gnomon/core/shared_types.h"
+#include "gnomon/core/sample.glsl"
+#include "gnomon/core/portable.h"
+#include "gnomon/core/permutation.glsl"
+#include "gnomon/core/orient3d.glsl"
+#include "gnomon/core/light.glsl"
+#include "gnomon/core/int128.glsl"
+#include "gnomon/core/decide.glsl"
+#include "gnomon/core/counters.glsl"
+#include "gnomon/core/caster_state.glsl"
+layout(local_size_x = 64) in;
+layout(set = 3, binding = 0, std430) writeonly buffer Results { uint v[]; } results;
+
+void main() {
+    uint at = gl_GlobalInvocationID.x;
+    GnoCaster t = GNO_LOAD_CASTER(at);
+    gnoTopSetUp(at, gnoCasterFacing(gnoCasterState(push.light, t, true, GNO_CULL_FRONT, 0u)));
+    bool inserted = gnoTopInsert(gnoPermute(at, push.count, push.seed));
+    GnoViewSample s = gnoMakeViewSample(gnoSnapToGrid(push.position.xyz), at, t, push.viewer, push.light);
+    bool dark = gnoTopQueryStack(s) || gnoTopQueryStackless(s) || gnoTopQueryHybrid(s) || gnoDecideInShadow(push.light, t, s.position, GNO_PRECISION_CERTIFIED);
+    results.v[at] = uint(inserted) + uint(dark);
+}

@@ -1,0 +1,17 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// core/orient3d.glsl without its filter, and with a count of the exact signs.
+layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
+#include "gnomon/core/bindings.glsl"
+uint exactSigns = 0u;
+#define GNO_ORIENT3D_FILTER 0
+#define GNO_ORIENT3D_ON_EXACT ++exactSigns
+#include "gnomon/core/orient3d.glsl"
+layout(location = 0) out vec4 result;
+
+void main() {
+    uint at = uint(gl_FragCoord.x);
+    result = vec4(float(gnoFacing(push.light, GNO_LOAD_CASTER(at))));
+    result.w = float(exactSigns);
+}
