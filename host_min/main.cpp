@@ -6,11 +6,11 @@
 #include <string>
 
 #include "host_min/app/effects.hpp"
-#include "host_min/app/interrupt.hpp"
 #include "host_min/app/lists.hpp"
 #include "host_min/app/options.hpp"
 #include "host_min/app/shade.hpp"
 #include "host_min/error.hpp"
+#include "host_min/interrupt.hpp"
 
 namespace {
 
@@ -18,7 +18,8 @@ int run(int argc, const char* const* argv) {
     using namespace gno::host;
     const Command command = parseCommandLine(argc, argv);
     switch (command.kind) {
-        case Command::Kind::none: break;
+        case Command::Kind::none:
+            break;
         case Command::Kind::shade:
             if (!shade(command.shade)) throw WorkError("the validation layer had something to say (see above)");
             break;
@@ -27,9 +28,14 @@ int run(int argc, const char* const* argv) {
             printEffects(file, file.evaluate(command.frame, 0));
             break;
         }
-        case Command::Kind::techniques: printTechniques(); break;
-        case Command::Kind::device: printDevices(); break;
+        case Command::Kind::techniques:
+            printTechniques();
+            break;
+        case Command::Kind::device:
+            printDevices();
+            break;
     }
+    if (std::fflush(stdout) != 0) throw WorkError("cannot write to standard output: is the disk full, or the reader gone?");
     return 0;
 }
 

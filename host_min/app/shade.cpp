@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "host_min/app/effects.hpp"
-#include "host_min/app/interrupt.hpp"
 #include "host_min/app/outputs.hpp"
 #include "host_min/error.hpp"
+#include "host_min/interrupt.hpp"
 #include "host_min/oracle.hpp"
 #include "host_min/output/atomic_file.hpp"
 #include "host_min/output/table.hpp"
@@ -31,7 +31,9 @@ double measureFloor(const FrameInputs& inputs, uint32_t repeat) {
     }
     const auto times = measure(inputs.device(), std::max(repeat, 3u), true, [&](Recording& recording) {
         recording.beginPass("floor");
-        inputs.passes().compute("core/examples/floor.comp").dispatch(recording, resources, std::as_bytes(std::span(&push, 1)), (inputs.width() + 7) / 8, (inputs.height() + 7) / 8);
+        inputs.passes()
+            .compute("core/examples/floor.comp")
+            .dispatch(recording, resources, std::as_bytes(std::span(&push, 1)), (inputs.width() + 7) / 8, (inputs.height() + 7) / 8);
         recording.endPass();
     });
     return times.front().ms;
@@ -86,7 +88,23 @@ Record makeRecord(const ShadeOptions& options, const FrameInputs& inputs, const 
     return record;
 }
 
-Cull cullByName(const std::string& word) { return word == "front" ? Cull::front : word == "hull" ? Cull::hull : word == "all" ? Cull::all : Cull::none; }
+/// Before the work and not after it: what is to be written can be written.
+void checkOutputs(const ShadeOptions& options) {
+    if (options.pictures || options.dump) {
+        makeFolder(options.out);
+        const AtomicFile probe(options.out / "probe");  // gone again at the end of this scope
+    }
+    if (options.json.empty()) return;
+    std::error_code ignored;
+    const auto kind = std::filesystem::status(options.json, ignored).type();
+    using enum std::filesystem::file_type;
+    if (kind == fifo || kind == character || kind == socket) return;  // whoever reads it would see its end
+    const AtomicFile probe(options.json);
+}
+
+Cull cullByName(const std::string& word) {
+    return word == "front" ? Cull::front : word == "hull" ? Cull::hull : word == "all" ? Cull::all : Cull::none;
+}
 
 }  // namespace
 
@@ -101,10 +119,13 @@ bool shade(const ShadeOptions& options) {
     progress.show("loading");
     const SceneFile file = SceneFile::load(options.scene);
     const uint32_t lightCount = file.lightCount();
-    if (options.camera >= file.cameraCount()) throw InputError(fmt::format("--camera {}: the scene has {} (0..{})", options.camera, file.cameraCount(), file.cameraCount() - 1));
-    if (options.light && *options.light >= lightCount) throw InputError(fmt::format("--light {}: the scene has {} (0..{})", *options.light, lightCount, lightCount - 1));
+    if (options.camera >= file.cameraCount())
+        throw InputError(fmt::format("--camera {}: the scene has {} (0..{})", options.camera, file.cameraCount(), file.cameraCount() - 1));
+    if (options.light && *options.light >= lightCount)
+        throw InputError(fmt::format("--light {}: the scene has {} (0..{})", *options.light, lightCount, lightCount - 1));
     const Device device(DeviceOptions::fromEnvironment());
     checkSize(device.facts(), options.width, options.height);
+    checkOutputs(options);
     PassCache passes(device);
     std::vector<Record> records;
     if (!leftOut.empty()) fmt::print("{}\n", leftOut);

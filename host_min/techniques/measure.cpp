@@ -3,10 +3,13 @@
 
 #include <algorithm>
 
+#include "host_min/interrupt.hpp"
+
 namespace gno::host {
 
 std::vector<PassTime> measure(const Device& device, uint32_t repeat, bool warmUp, const std::function<void(Recording&)>& record) {
     const auto once = [&] {
+        throwIfInterrupted();
         Recording recording(device);
         record(recording);
         return recording.submit();

@@ -1,11 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "host_min/techniques/top_tree.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 
+#include "host_min/error.hpp"
 #include "host_min/techniques/measure.hpp"
 
 namespace gno::host {
+namespace {
+
+constexpr uint32_t kMaxGroups = 65535;  // the least maxComputeWorkGroupCount[0] that Vulkan allows
+
+uint32_t groupCount(uint32_t triangles, uint32_t groupSize) {
+    const uint32_t groups = (triangles + groupSize - 1) / groupSize;
+    if (groups > kMaxGroups)
+        throw InputError(fmt::format("--set group={}: {} triangles would need {} work groups, over the limit of {}; use at least {}", groupSize,
+                                     triangles, groups, kMaxGroups, (triangles + kMaxGroups - 1) / kMaxGroups));
+    return groups;
+}
+
+}  // namespace
 
 TopTree::TopTree(const FrameInputs& inputs, const TopTreeOptions& options)
     : planes_(inputs.device(), topPlaneBytes(inputs.triangleCount())),
@@ -21,7 +37,7 @@ TopTree::TopTree(const FrameInputs& inputs, const TopTreeOptions& options)
         counters_ = {uint64_t(words[1]) << 32 | words[0], words[2], words[3], words[4]};
     }
     passes_.push_back({inputs.casterSetUp().name, inputs.casterSetUp().ms});
-    for (const PassTime& pass : measure(inputs.device(), options.repeat, true, [&](Recording& r) { record(r, inputs, options, nullptr); }))
+    for (const PassTime& pass : measure(inputs.device(), options.repeat, options.warmUp, [&](Recording& r) { record(r, inputs, options, nullptr); }))
         passes_.push_back({pass.name, pass.ms});
 }
 
@@ -34,10 +50,10 @@ void TopTree::record(Recording& recording, const FrameInputs& inputs, const TopT
     const ComputePass& build = inputs.passes().compute("top/examples/build.comp" + suffix, constants);
     const ExamplePush push = inputs.push(options.seed);
     const auto bytes = std::as_bytes(std::span(&push, 1));
-    const uint32_t groups = (inputs.triangleCount() + options.groupSize - 1) / options.groupSize;
-    const std::array resources{Binding{"gnoCasters", &inputs.casters()}, Binding{"gnoStates", &inputs.states()},       Binding{"gnoTopPlanes", &planes_},
-                               Binding{"gnoTopLinks", &links_},          Binding{"gnoTopHeader", &header_},
-                               Binding{"gnoTotals", totals ? totals : &header_}};
+    const uint32_t groups = groupCount(inputs.triangleCount(), options.groupSize);
+    const std::array resources{Binding{"gnoCasters", &inputs.casters()}, Binding{"gnoStates", &inputs.states()},
+                               Binding{"gnoTopPlanes", &planes_},        Binding{"gnoTopLinks", &links_},
+                               Binding{"gnoTopHeader", &header_},        Binding{"gnoTotals", totals ? totals : &header_}};
     recording.beginPass("top_setup");
     setUp.dispatch(recording, resources, bytes, groups);
     recording.endPass();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host_min/app/interrupt.hpp"
+#include "host_min/interrupt.hpp"
 
 #include <csignal>
 
