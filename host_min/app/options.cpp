@@ -114,9 +114,12 @@ Command parseCommandLine(int argc, const char* const* argv) {
         shade.camera = number("--camera", camera);
         shade.repeat = number("--repeat", repeat, 1000);
         if (shade.repeat == 0) throw InputError("--repeat 0: at least one timed run is needed");
-        if (light == "all") shade.light.reset();
-        else shade.light = number("--light", light);
-        if (technique == "all") shade.allTechniques = true;
+        if (light == "all")
+            shade.light.reset();
+        else
+            shade.light = number("--light", light);
+        if (technique == "all")
+            shade.allTechniques = true;
         else if (technique != "auto") {
             shade.techniques = splitList(technique);
             if (shade.techniques.empty()) throw InputError("--technique: no name was given");
@@ -133,7 +136,8 @@ Command parseCommandLine(int argc, const char* const* argv) {
     return command;
 }
 
-std::vector<Technique*> chooseTechniques(const ShadeOptions& options, std::string& leftOut) {
+std::vector<Technique*> chooseTechniques(const ShadeOptions& options, std::string& leftOut,
+                                         const std::vector<std::unique_ptr<Technique>>& available) {
     std::vector<Technique*> chosen;
     const auto has = [&](const Technique& technique) {
         const auto& rungs = technique.info().precisions;
@@ -141,14 +145,18 @@ std::vector<Technique*> chooseTechniques(const ShadeOptions& options, std::strin
     };
     if (options.allTechniques) {
         std::vector<std::string> without;
-        for (const auto& technique : techniques()) {
-            if (has(*technique)) chosen.push_back(technique.get());
-            else without.push_back(technique->info().name);
+        for (const auto& technique : available) {
+            if (has(*technique))
+                chosen.push_back(technique.get());
+            else
+                without.push_back(technique->info().name);
         }
+        if (chosen.empty()) throw InputError(fmt::format("no technique has precision {}", name(options.precision)));
         if (!without.empty()) leftOut = fmt::format("left out, no precision {}: {}", name(options.precision), fmt::join(without, ", "));
     }
     for (const std::string& wanted : options.techniques) {
-        Technique& technique = techniqueByName(wanted);
+        const auto at = std::find_if(available.begin(), available.end(), [&](const auto& technique) { return technique->info().name == wanted; });
+        Technique& technique = at != available.end() ? **at : techniqueByName(wanted);  // which tells what there is
         if (!has(technique)) throw InputError(fmt::format("technique {} has no precision {}", wanted, name(options.precision)));
         if (std::find(chosen.begin(), chosen.end(), &technique) == chosen.end()) chosen.push_back(&technique);
     }
@@ -158,7 +166,7 @@ std::vector<Technique*> chooseTechniques(const ShadeOptions& options, std::strin
         Settings(technique.info().settings, options.settings);  // throws when a value is out of range
     };
     if (chosen.empty())
-        for (const auto& technique : techniques()) add(*technique);
+        for (const auto& technique : available) add(*technique);
     for (const Technique* technique : chosen) add(*technique);
     checkSettings(known, options.settings);
     Settings(frameSettings(), options.settings);

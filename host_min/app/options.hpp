@@ -19,13 +19,13 @@ struct ShadeOptions {
     Precision precision = Precision::certified;
     uint32_t width = 1024, height = 1024;
     uint32_t camera = 0;
-    std::optional<uint32_t> light = 0;    ///< nullopt: all
+    std::optional<uint32_t> light = 0;  ///< nullopt: all
     uint32_t firstFrame = 0, lastFrame = 0;
-    std::vector<std::string> settings;    ///< KEY=VALUE each
+    std::vector<std::string> settings;  ///< KEY=VALUE each
     bool check = false, dump = false, pictures = true;
     uint32_t repeat = 1;
     std::filesystem::path out = "out";
-    std::filesystem::path json;           ///< empty: no record
+    std::filesystem::path json;  ///< empty: no record
 };
 
 struct Command {
@@ -38,7 +38,9 @@ struct Command {
 /// Prints help or version itself. Throws InputError, one line.
 Command parseCommandLine(int argc, const char* const* argv);
 
-/// Techniques to run: named ones (each must have the rung: InputError), all of the rung, or none yet (auto). `leftOut` tells what `all` cannot run.
-std::vector<Technique*> chooseTechniques(const ShadeOptions& options, std::string& leftOut);
+/// Techniques to run: named ones (each must have the rung: InputError), all of the rung (at least one: InputError), or none yet (auto). `leftOut`
+/// tells what `all` cannot run.
+std::vector<Technique*> chooseTechniques(const ShadeOptions& options, std::string& leftOut,
+                                         const std::vector<std::unique_ptr<Technique>>& available = techniques());
 
 }  // namespace gno::host
