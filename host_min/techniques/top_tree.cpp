@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "host_min/error.hpp"
@@ -13,8 +14,9 @@ namespace {
 
 constexpr uint32_t kMaxGroups = 65535;  // the least maxComputeWorkGroupCount[0] that Vulkan allows
 
+/// At least one: set-up writes the header of an empty tree too.
 uint32_t groupCount(uint32_t triangles, uint32_t groupSize) {
-    const uint32_t groups = (triangles + groupSize - 1) / groupSize;
+    const uint32_t groups = std::max(1u, (triangles + groupSize - 1) / groupSize);
     if (groups > kMaxGroups)
         throw InputError(fmt::format("--set group={}: {} triangles would need {} work groups, over the limit of {}; use at least {}", groupSize,
                                      triangles, groups, kMaxGroups, (triangles + kMaxGroups - 1) / kMaxGroups));
