@@ -1,1 +1,25 @@
 gnomon_add_device_test(top_far_samples_test)
+gnomon_add_device_test(top_build_test)
+gnomon_add_device_test(top_query_test)
+gnomon_add_device_test(top_techniques_test)
+add_library(gnomon_image_report STATIC ${PROJECT_SOURCE_DIR}/validation/support/image_report.cpp)
+target_link_libraries(gnomon_image_report PUBLIC gnomon_device_test)
+gnomon_add_device_test(compare_masks_test LIBRARIES gnomon_image_report)
+gnomon_add_device_test(top_images_test LIBRARIES gnomon_image_report)
+target_compile_definitions(top_images_test PRIVATE GNOMON_FAILURES_DIR="${PROJECT_BINARY_DIR}/failures")
+
+# The same program at three numbers of threads of the driver.
+add_executable(top_races_test ${CMAKE_CURRENT_SOURCE_DIR}/top_races_test.cpp)
+target_link_libraries(top_races_test PRIVATE gnomon_flags gnomon_device_test)
+foreach(threads 1 2 8)
+  add_test(NAME top_races_test.t${threads} COMMAND top_races_test)
+  set_tests_properties(top_races_test.t${threads} PROPERTIES TIMEOUT 300 LABELS device ENVIRONMENT "LP_NUM_THREADS=${threads};GNOMON_VALIDATE=1")
+endforeach()
+
+# A million casters: once, at the machine's own width.
+add_executable(top_scale_test ${CMAKE_CURRENT_SOURCE_DIR}/top_scale_test.cpp)
+target_link_libraries(top_scale_test PRIVATE gnomon_flags gnomon_image_report)
+target_compile_definitions(top_scale_test PRIVATE GNOMON_SCENES_PROGRAM="$<TARGET_FILE:gnomon-scenes>")
+add_dependencies(top_scale_test gnomon-scenes)
+add_test(NAME top_scale_test COMMAND top_scale_test)
+set_tests_properties(top_scale_test PROPERTIES TIMEOUT 300 LABELS device ENVIRONMENT "GNOMON_VALIDATE=1")
