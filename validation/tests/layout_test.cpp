@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// One definition for C++ and GLSL: offsets, strides and sizes of the structs that both read, as C++ has them and as the compiled SPIR-V has them.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <optional>
+#include <spirv_cross/spirv_cross.hpp>
+
+#include "glsl/top/node.h"
+#include "host_min/frame/inputs.hpp"
+#include "host_min/vulkan/shader.hpp"
+
+namespace gno {
+namespace {
+
+struct Member {
+    std::string name;
+    size_t offset;
+};
+
+/// What SPIR-V says of a struct: members, and its bytes without padding at the end.
+struct Layout {
+    std::vector<Member> members;
+    size_t bytes = 0;
+};
+
+class Reflection {
+public:
+    explicit Reflection(const std::string& shader)
+        : compiler_([&] {
+              const auto spirv = host::embeddedShader(shader);
+              return spirv_cross::Compiler(spirv.data(), spirv.size());
+          }()) {}
+
+    [[nodiscard]] Layout layout(spirv_cross::TypeID id) const {
+        const spirv_cross::SPIRType& type = compiler_.get_type(id);
+        Layout result;
+        for (uint32_t i = 0; i < type.member_types.size(); ++i)
+            result.members.push_back({compiler_.get_member_name(type.self, i), compiler_.type_struct_member_offset(type, i)});
+        result.bytes = compiler_.get_declared_struct_size(type);
+        return result;
+    }
+
+    /// Type of the first member of the storage buffer of this name (instance or block), e.g. of the array `v`.
+    [[nodiscard]] const spirv_cross::SPIRType& contents(const std::string& buffer) const { return compiler_.get_type(block(buffer).member_types[0]); }
+    [[nodiscard]] uint32_t stride(const std::string& buffer) const { return compiler_.type_struct_member_array_stride(block(buffer), 0); }
+    [[nodiscard]] std::optional<Layout> pushBlock() const {
+        const auto blocks = compiler_.get_shader_resources().push_constant_buffers;
+        if (blocks.empty()) return std::nullopt;
+        return layout(blocks.front().base_type_id);
+    }
+
+private:
+    [[nodiscard]] const spirv_cross::SPIRType& block(const std::string& buffer) const {
+        for (const spirv_cross::Resource& resource : compiler_.get_shader_resources().storage_buffers)
+            if (compiler_.get_name(resource.id) == buffer || resource.name == buffer) return compiler_.get_type(resource.base_type_id);
+        throw std::runtime_error("no buffer " + buffer);
+    }
+    spirv_cross::Compiler compiler_;
+};
+
+/// Empty when SPIR-V and C++ agree.
+std::string difference(const Layout& got, const std::vector<Member>& want, size_t bytes) {
+    if (got.members.size() != want.size()) return "different numbers of members";
+    for (size_t i = 0; i < want.size(); ++i)
+        if (got.members[i].name != want[i].name || got.members[i].offset != want[i].offset)
+            return "SPIR-V has " + got.members[i].name + " at " + std::to_string(got.members[i].offset) + ", C++ has " + want[i].name + " at " +
+                   std::to_string(want[i].offset);
+    return got.bytes == bytes ? "" : "SPIR-V has " + std::to_string(got.bytes) + " bytes, C++ " + std::to_string(bytes);
+}
+
+void expectSame(const Layout& got, const std::vector<Member>& want, size_t bytes) { EXPECT_EQ(difference(got, want, bytes), ""); }
+
+#define MEMBER(type, member) \
+    Member { #member, offsetof(type, member) }
+
+const char* const kTreeShaders[] = {"top/examples/set_up.comp",      "top/examples/build.comp",        "top/examples/build.comp.counters",
+                                    "top/examples/query_stack.comp", "top/examples/query_hybrid.comp", "top/examples/query_stackless.frag"};
+
+TEST(Layout, LinksAndPlanesOfATopTree) {
+    const std::vector<Member> link{MEMBER(GnoTopLink, positiveChild), MEMBER(GnoTopLink, intersectionChild), MEMBER(GnoTopLink, aux),
+                                   MEMBER(GnoTopLink, wedge)};
+    for (const std::string shader : kTreeShaders) {
+        SCOPED_TRACE(shader);
+        const Reflection reflection(shader);
+        expectSame(reflection.layout(reflection.contents("gnoTopLinks").self), link, sizeof(GnoTopLink));
+        EXPECT_EQ(reflection.stride("gnoTopLinks"), sizeof(GnoTopLink));
+        EXPECT_EQ(reflection.stride("gnoTopLinks"), 16u);
+        const spirv_cross::SPIRType& plane = reflection.contents("gnoTopPlanes");
+        EXPECT_EQ(plane.basetype, spirv_cross::SPIRType::Float);
+        EXPECT_EQ(plane.vecsize, 4u);
+        EXPECT_EQ(reflection.stride("gnoTopPlanes"), 16u);
+    }
+}
+
+TEST(Layout, HeaderOfATopTree) {
+    const std::vector<Member> header{MEMBER(GnoTopHeader, root), MEMBER(GnoTopHeader, casterCount), MEMBER(GnoTopHeader, unused0),
+                                     MEMBER(GnoTopHeader, unused1)};
+    for (const std::string shader : kTreeShaders) {
+        SCOPED_TRACE(shader);
+        const Reflection reflection(shader);
+        expectSame(reflection.layout(reflection.contents("gnoTopHeader").self), header, sizeof(GnoTopHeader));
+    }
+    EXPECT_EQ(sizeof(GnoTopHeader), 16u);
+}
+
+TEST(Layout, BytesOfATopTreeFollowFromTheStrides) {
+    const Reflection reflection("top/examples/build.comp");
+    const uint64_t perCaster = 4 * (reflection.stride("gnoTopPlanes") + reflection.stride("gnoTopLinks"));
+    const size_t header = reflection.layout(reflection.contents("gnoTopHeader").self).bytes;
+    EXPECT_EQ(perCaster, 128u);
+    for (const uint64_t casters : {1u, 2u, 63u, 1000u, 2097152u}) {
+        EXPECT_EQ(topTreeBytes(casters), perCaster * casters + header);
+        EXPECT_EQ(topPlaneBytes(casters), 4 * casters * reflection.stride("gnoTopPlanes"));
+        EXPECT_EQ(topLinkBytes(casters), 4 * casters * reflection.stride("gnoTopLinks"));
+    }
+    EXPECT_EQ(topTreeBytes(0), topTreeBytes(1)) << "an empty scene still has buffers to bind";
+    EXPECT_EQ(topTreeBytes(1ull << 33), 128ull * (1ull << 33) + header) << "must not wrap at 32 bits";
+    EXPECT_EQ(topPlaneBytes(2097152), 128ull << 20) << "what one binding of 128 MiB holds";
+    EXPECT_EQ(topGroupCount(0), 0u);
+    EXPECT_EQ(topGroupCount(1), 1u);
+    EXPECT_EQ(topGroupCount(kTopGroupSize), 1u);
+    EXPECT_EQ(topGroupCount(kTopGroupSize + 1), 2u);
+}
+
+TEST(Layout, CastersArePackedFloats) {
+    for (const std::string shader : {"core/examples/view_samples.comp", "core/examples/gbuffer.vert", "top/examples/set_up.comp"}) {
+        SCOPED_TRACE(shader);
+        const Reflection reflection(shader);
+        EXPECT_EQ(reflection.contents("gnoCasters").basetype, spirv_cross::SPIRType::Float);
+        EXPECT_EQ(reflection.contents("gnoCasters").vecsize, 1u);
+        EXPECT_EQ(reflection.stride("gnoCasters"), 4u);
+    }
+    EXPECT_EQ(sizeof(GnoCaster), 36u);  // uploaded as they are
+    EXPECT_EQ(sizeof(host::Triangle), 36u);
+}
+
+TEST(Layout, PushBlockOfEveryShader) {
+    using host::ExamplePush;
+    const std::vector<Member> push{MEMBER(ExamplePush, light), MEMBER(ExamplePush, viewer), MEMBER(ExamplePush, size),  MEMBER(ExamplePush, count),
+                                   MEMBER(ExamplePush, seed),  MEMBER(ExamplePush, cull),   MEMBER(ExamplePush, planes)};
+    size_t found = 0;
+    for (const std::string& shader : host::embeddedShaderNames()) {
+        SCOPED_TRACE(shader);
+        const std::optional<Layout> block = Reflection(shader).pushBlock();
+        if (!block || block->members.at(0).name != "light") continue;
+        ++found;
+        expectSame(*block, push, sizeof(ExamplePush));
+    }
+    EXPECT_GE(found, 16u);
+}
+
+/// The comparison can fail: C++ structs that are wrong in one way each do not pass for the SPIR-V's.
+TEST(Layout, ComparisonSeesWrongStructs) {
+    struct Swapped {
+        uint intersectionChild, positiveChild, aux, wedge;
+    };
+    struct Moved {
+        uint positiveChild, intersectionChild, gap, aux, wedge;
+    };
+    struct Longer {
+        uint positiveChild, intersectionChild, aux, wedge, more;
+    };
+    const Reflection reflection("top/examples/build.comp");
+    const Layout link = reflection.layout(reflection.contents("gnoTopLinks").self);
+    const std::vector<Member> swapped{MEMBER(Swapped, intersectionChild), MEMBER(Swapped, positiveChild), MEMBER(Swapped, aux),
+                                      MEMBER(Swapped, wedge)};
+    const std::vector<Member> moved{MEMBER(Moved, positiveChild), MEMBER(Moved, intersectionChild), MEMBER(Moved, aux), MEMBER(Moved, wedge)};
+    const std::vector<Member> longer{MEMBER(Longer, positiveChild), MEMBER(Longer, intersectionChild), MEMBER(Longer, aux), MEMBER(Longer, wedge)};
+    EXPECT_NE(difference(link, swapped, sizeof(Swapped)), "");
+    EXPECT_NE(difference(link, moved, sizeof(Moved)), "");
+    EXPECT_NE(difference(link, longer, sizeof(Longer)), "");
+    EXPECT_EQ(difference(link, longer, sizeof(GnoTopLink)), "");
+    EXPECT_THROW((void)reflection.stride("gnoNoSuchBuffer"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace gno
