@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "validation/hard_cases/runner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host_min/error.hpp"
+#include "validation/hard_cases/scene_maker.hpp"
+#include "validation/support/exact_reference.hpp"
+
+namespace gno::hard {
+namespace {
+
+constexpr uint64_t kBruteForceLimit = 400'000;  // sample-caster pairs of one scene
+
+host::Frame frameOf(const test::Scene& scene) {
+    host::Frame frame;
+    frame.triangles = scene.triangles;
+    frame.material.assign(scene.triangles.size(), 0);
+    frame.object.assign(scene.triangles.size(), 0);
+    frame.closed = scene.closed.empty() ? std::vector<uint8_t>(scene.triangles.size(), 0) : scene.closed;
+    frame.camera.gridFromCamera[3] = glm::dvec4(0, 0, 4, 1);
+    return frame;
+}
+
+std::string hex(glm::vec3 v) { return fmt::format("({:a}, {:a}, {:a})", v.x, v.y, v.z); }
+
+std::string describe(const test::Scene& scene, size_t sample, const host::OracleAnswer& answer) {
+    const host::OracleSample& s = scene.samples[sample];
+    std::string text = fmt::format("light {} w {}, sample {} at {} own {}, in shadow by the definition: {}", hex(scene.light), scene.light.w, sample,
+                                   hex(s.position), s.own, answer.inShadow[sample] != 0);
+    if (answer.caster[sample] != host::kNoCaster) {
+        const Triangle& t = scene.triangles[answer.caster[sample]];
+        text += fmt::format(", by caster {} {} {} {}", answer.caster[sample], hex(t.a), hex(t.b), hex(t.c));
+    }
+    return text;
+}
+
+/// The oracle against the definition over 128-bit integers, every sample against every caster.
+std::string bruteForce(const test::Scene& scene, const std::vector<uint8_t>& isCaster, const host::OracleAnswer& answer) {
+    std::vector<std::array<exact::Vec, 3>> casters;
+    for (const Triangle& t : scene.triangles) casters.push_back({exact::fixed(t.a), exact::fixed(t.b), exact::fixed(t.c)});
+    for (size_t i = 0; i < scene.samples.size(); ++i) {
+        const exact::Vec p = exact::fixed(scene.samples[i].position);
+        bool dark = false;
+        for (size_t k = 0; k < casters.size() && !dark; ++k) {
+            if (k == scene.samples[i].own || (!isCaster.empty() && !isCaster[k])) continue;
+            dark = exact::inShadowOf(scene.light, casters[k][0], casters[k][1], casters[k][2], p);
+        }
+        if (dark != (answer.inShadow[i] != 0)) return describe(scene, i, answer);
+    }
+    return {};
+}
+
+/// Insertion seeds of one scene: every second one puts the case's chosen triangle first.
+std::vector<uint32_t> insertionSeeds(const HardCase& hardCase, const test::Scene& scene, uint32_t count) {
+    std::vector<uint32_t> seeds;
+    uint32_t from = 1;
+    for (uint32_t i = 0; i < count; ++i) {
+        const bool chosen = hardCase.first != kAnyFirst && i % 2 == 0;
+        seeds.push_back(chosen ? seedThatInsertsFirst(hardCase.first, uint32_t(scene.triangles.size()), from) : from);
+        from = seeds.back() + 1;
+    }
+    return seeds;
+}
+
+bool hasSeed(const host::TechniqueInfo& info) {
+    return std::any_of(info.settings.begin(), info.settings.end(), [](const host::SettingInfo& setting) { return setting.key == "seed"; });
+}
+
+void add(Tally& tally, const test::Scene& scene, const host::TechniqueResult& result, const host::OracleAnswer& answer, const std::string& how) {
+    ++tally.runs;
+    tally.answers += scene.samples.size();
+    const test::Wrong wrong = test::compare(result, answer);
+    tally.wrong += wrong.wrong;
+    tally.leaks += wrong.leaks;
+    tally.falseDark += wrong.falseDark;
+    for (size_t i = 0; i < std::min(scene.samples.size(), result.visitedNodes.size()); ++i) tally.visitedNodes += result.visitedNodes[i];
+    if (wrong.wrong > 0 && tally.firstWrong.empty()) tally.firstWrong = how + ": " + describe(scene, wrong.first, answer);
+}
+
+}  // namespace
+
+CaseResult runCase(const HardCase& hardCase, const RunnerOptions& options, const std::function<void()>& step) {
+    CaseResult result;
+    result.hardCase = &hardCase;
+    for (const auto& technique : host::techniques())
+        for (const host::Precision precision : technique->info().precisions)
+            result.tallies.push_back({.technique = technique->info().name, .precision = precision});
+
+    for (uint32_t sceneSeed = 1; sceneSeed <= hardCase.scenes; ++sceneSeed) {
+        const test::Scene scene = hardCase.make(sceneSeed);
+        const host::Frame frame = frameOf(scene);
+        host::FrameInputs inputs(test::passes(), frame, scene.samples);
+        inputs.setLight(scene.light, scene.cull);
+        const std::vector<uint8_t> casters = inputs.definitionCasters();
+        const host::OracleAnswer answer = host::makeOracle()->ask({scene.triangles, casters, scene.light, scene.samples}, [](double) {});
+        result.triangles += scene.triangles.size();
+        result.samples += scene.samples.size();
+        result.inShadow += uint64_t(std::count(answer.inShadow.begin(), answer.inShadow.end(), uint8_t(1)));
+        if (scene.triangles.size() * scene.samples.size() <= kBruteForceLimit) {
+            result.bruteForced += scene.samples.size();
+            if (result.oracleWrong.empty()) result.oracleWrong = bruteForce(scene, casters, answer);
+        }
+
+        const std::vector<uint32_t> seeds = insertionSeeds(hardCase, scene, std::max(1u, options.insertionSeeds / hardCase.scenes));
+        for (const uint32_t seed : seeds) {
+            host::StructureCache structures;
+            const std::vector<std::string> settings{fmt::format("seed={}", seed)};
+            for (Tally& tally : result.tallies) {
+                host::Technique& technique = host::techniqueByName(tally.technique);
+                if (seed != seeds.front() && !hasSeed(technique.info())) continue;
+                if (step) step();
+                const std::string how = fmt::format("{}, {}, scene seed {}, insertion seed {}, {} triangles", tally.technique,
+                                                    host::name(tally.precision), sceneSeed, seed, scene.triangles.size());
+                try {
+                    host::TechniqueResult run = technique.run(inputs, structures, host::Settings(technique.info().settings, settings),
+                                                              {tally.precision, 1, options.counters, false});
+                    run.visibility.resize(scene.samples.size());
+                    add(tally, scene, run, answer, how);
+                } catch (const host::InputError& error) {
+                    tally.refused = error.what();
+                }
+            }
+        }
+    }
+    return result;
+}
+
+}  // namespace gno::hard
