@@ -90,6 +90,11 @@ std::vector<glm::vec4> cullHull(const Camera& camera, double aspect, glm::vec4 l
         holdsLight.push_back(at(face, l) >= 0);
         if (holdsLight.back() && face != dvec4(0)) add(face);
     }
+    const bool finite = f.faces.size() == 6;
+    for (size_t side = 0; side < 4 && !finite && l.w != 0; ++side) {  // through the light and an edge at infinity: parallel to the side
+        const dvec3 normal(f.faces[side]);
+        if (!holdsLight[side]) add(dvec4(normal, -glm::dot(normal, dvec3(l))));
+    }
     for (const Frustum::Edge& edge : f.edges) {
         if (holdsLight[edge.face[0]] == holdsLight[edge.face[1]]) continue;
         auto plane = planeThrough(f.corners[edge.corner[0]], f.corners[edge.corner[1]], l);

@@ -31,6 +31,7 @@ struct RunOptions {
     uint32_t repeat = 1;
     bool counters = true;  ///< make the instrumented run as well
     bool dump = false;     ///< hand over the buffers
+    bool warmUp = true;    ///< false: the pipelines have run before, or nobody reads the times
 };
 
 struct DumpedBuffer {

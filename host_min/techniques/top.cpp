@@ -46,7 +46,7 @@ public:
     const TechniqueInfo& info() const override { return info_; }
 
     TechniqueResult run(const FrameInputs& inputs, StructureCache& structures, const Settings& settings, const RunOptions& options) override {
-        const TopTreeOptions treeOptions{options.precision, settings.number("seed"), settings.number("group"), options.repeat, options.counters};
+        const TopTreeOptions treeOptions{options.precision, settings.number("seed"), settings.number("group"), options.repeat, options.warmUp, options.counters};
         const std::string key = fmt::format("top {} {} {}", name(options.precision), treeOptions.seed, treeOptions.groupSize);
         const TopTree& tree = structures.get<TopTree>(key, [&] { return std::make_shared<TopTree>(inputs, treeOptions); });
 
@@ -57,7 +57,7 @@ public:
         visibility.clear(vk::ClearColorValue(kPoison, kPoison, kPoison, kPoison));
         if (options.counters) count(inputs, tree, settings, options, visibility, result);
         const bool fragment = settings.word("stage") == "fragment";
-        const auto times = measure(inputs.device(), options.repeat, true, [&](Recording& recording) {
+        const auto times = measure(inputs.device(), options.repeat, options.warmUp, [&](Recording& recording) {
             recording.beginPass("top_query");
             query(recording, inputs, tree, settings, options, visibility, nullptr, fragment);
             recording.endPass();

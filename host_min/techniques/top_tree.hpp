@@ -14,6 +14,7 @@ struct TopTreeOptions {
     uint32_t seed = 1;       ///< of the insertion order
     uint32_t groupSize = kTopGroupSize;
     uint32_t repeat = 1;
+    bool warmUp = true;
     bool counters = true;
 };
 
