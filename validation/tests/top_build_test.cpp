@@ -52,6 +52,7 @@ std::vector<uint8_t> castersByDefinition(const Casters& casters, glm::vec4 light
 
 /// The volume of `inner` is a part of the volume of `outer`: each vertex is in its closed cone, and on its plane or behind it.
 bool isInside(const host::Triangle& inner, const host::Triangle& outer, glm::vec4 light) {
+    using exact::operator-;
     const auto a = exact::fixed(outer.a), b = exact::fixed(outer.b), c = exact::fixed(outer.c), l = exact::fixed(glm::vec3(light));
     const int facing = exact::orient3dLight(light, a, b, c),
               front = light.w != 0 ? exact::orient3d(a, b, c, l) : exact::sign(exact::det(b - a, c - a, l));
