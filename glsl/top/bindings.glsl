@@ -4,7 +4,7 @@
 //   GnoTopNode gnoTopLoadNode(uint index)     what GNO_TOP_LOAD_NODE(index) is then
 //
 // Defines    GNO_TOP_PLANES, GNO_TOP_LINKS, GNO_TOP_HEADER (for build.glsl); GNO_TOP_ROOT, GNO_TOP_LOAD_NODE, GNO_TOP_LOAD_ANCESTOR,
-//            GNO_TOP_LOAD_FACING (for the queries)
+//            GNO_TOP_LOAD_FLAGS (for the queries)
 // Space      planes in the coordinates of gnoFromLight (core/light.glsl)
 // Stages     any with storage buffers; a build needs them writable (fragment stage: fragmentStoresAndAtomics)
 // Requires   #version 450, no extension. Include before build.glsl or a query; leave it out where your storage differs
@@ -54,5 +54,5 @@ GnoTopNode gnoTopLoadNode(uint index_) {
 }
 #define GNO_TOP_LOAD_NODE(index_) gnoTopLoadNode(index_)
 #define GNO_TOP_LOAD_ANCESTOR(index_) gnoTopLinks.v[((index_) & ~3u) + 1u].aux
-#define GNO_TOP_LOAD_FACING(index_) gnoTopLinks.v[((index_) & ~3u) + 2u].aux
+#define GNO_TOP_LOAD_FLAGS(index_) gnoTopLinks.v[((index_) & ~3u) + 2u].aux
 #endif

@@ -91,11 +91,20 @@ GNO_INLINE void gnoTopSetUp(uint caster_, int facing_) {
                        max(gnoLightScale(GNO_LIGHT, gnoFromLight(GNO_LIGHT, t_.b)), gnoLightScale(GNO_LIGHT, gnoFromLight(GNO_LIGHT, t_.c))));
     GNO_TOP_LINKS[first_].aux = floatBitsToUint(depth_);
     GNO_TOP_LINKS[first_ + 1u].aux = GNO_TOP_NONE;
-    GNO_TOP_LINKS[first_ + 2u].aux = uint(facing_ + 1);
     GNO_TOP_LINKS[first_ + 3u].aux = floatBitsToUint(reach_);
-    GNO_TOP_PLANES[first_] = gnoTopLateralPlane(GNO_LIGHT, t_.a, t_.b, facing_, GNO_PRECISION);
-    GNO_TOP_PLANES[first_ + 1u] = gnoTopLateralPlane(GNO_LIGHT, t_.b, t_.c, facing_, GNO_PRECISION);
-    GNO_TOP_PLANES[first_ + 2u] = gnoTopLateralPlane(GNO_LIGHT, t_.c, t_.a, facing_, GNO_PRECISION);
+    uint flags_ = uint(facing_ + 1);
+    for (uint place_ = 0u; place_ < 3u; ++place_) {
+        vec3 a_ = place_ == 0u ? t_.a : place_ == 1u ? t_.b : t_.c;
+        vec3 b_ = place_ == 0u ? t_.b : place_ == 1u ? t_.c : t_.a;
+        vec4 substitute_;
+        if (GNO_PRECISION == GNO_PRECISION_CERTIFIED && gnoTopSubstitute(GNO_LIGHT, t_, place_, substitute_)) {
+            GNO_TOP_PLANES[first_ + place_] = substitute_;
+            flags_ |= GNO_TOP_SUBSTITUTE << place_;
+        } else {
+            GNO_TOP_PLANES[first_ + place_] = gnoTopLateralPlane(GNO_LIGHT, a_, b_, facing_, GNO_PRECISION);
+        }
+    }
+    GNO_TOP_LINKS[first_ + 2u].aux = flags_;
     GNO_TOP_PLANES[first_ + 3u] = gnoTopCapPlane(GNO_LIGHT, t_, facing_, GNO_PRECISION);
 }
 
@@ -128,19 +137,24 @@ GNO_INLINE bool gnoTopInsert(uint caster_) {
         bvec3 neither_ = bvec3(false);
         bool near_ = abs(sides_.x) <= margins_.x || abs(sides_.y) <= margins_.y || abs(sides_.z) <= margins_.z;
         if (GNO_PRECISION == GNO_PRECISION_CERTIFIED && near_) {
-            GnoCaster owner_ = GNO_LOAD_CASTER(node_ >> 2);
-            neither_ = bvec3(gnoTopTouches_(t_.a, owner_, node_ & 3u), gnoTopTouches_(t_.b, owner_, node_ & 3u), gnoTopTouches_(t_.c, owner_, node_ & 3u));
-            sides_ = vec3(neither_.x ? 0.0f : sides_.x, neither_.y ? 0.0f : sides_.y, neither_.z ? 0.0f : sides_.z);
+            uint flags_ = GNO_TOP_LINKS[(node_ & ~3u) + 2u].aux;  // written in dispatch 1 only
+            if ((flags_ & (GNO_TOP_SUBSTITUTE << (node_ & 3u))) == 0u) {
+                GnoCaster owner_ = GNO_LOAD_CASTER(node_ >> 2);
+                neither_ = bvec3(gnoTopTouches_(t_.a, owner_, node_ & 3u), gnoTopTouches_(t_.b, owner_, node_ & 3u), gnoTopTouches_(t_.c, owner_, node_ & 3u));
+                sides_ = vec3(neither_.x ? 0.0f : sides_.x, neither_.y ? 0.0f : sides_.y, neither_.z ? 0.0f : sides_.z);
+            }
         }
         bool below_ = (neither_.x || sides_.x < -margins_.x) && (neither_.y || sides_.y < -margins_.y) && (neither_.z || sides_.z < -margins_.z);
         bool above_ = (neither_.x || sides_.x > margins_.x) && (neither_.y || sides_.y > margins_.y) && (neither_.z || sides_.z > margins_.z);
         if (cap_ && GNO_PRECISION != GNO_PRECISION_PUBLISHED) above_ = true;  // one child in front of a cap, not two
         if (below_) {
-            if (cap_) {  // inside another shadow volume: nothing to add
+            bool inside_ = cap_;
+            if (cap_ && GNO_PRECISION == GNO_PRECISION_CERTIFIED) inside_ = (GNO_TOP_LINKS[node_ - 1u].aux & GNO_TOP_SUBSTITUTES) == 0u;
+            if (inside_) {  // inside another shadow volume: nothing to add
                 GNO_COUNT(dropped, 1u);
                 return false;
             }
-            ++node_;
+            node_ = cap_ ? atomicCompSwap(GNO_TOP_LINKS[node_].positiveChild, GNO_TOP_NONE, first_) : node_ + 1u;
         } else if (above_) {
             node_ = atomicCompSwap(GNO_TOP_LINKS[node_].positiveChild, GNO_TOP_NONE, first_);
         } else {

@@ -19,7 +19,7 @@
 // GnoTopLink::aux holds one thing per volume, by the node's place in it:
 //   0  least depth of the casters in this subtree, float bits (gnoLightDepth, a lower bound; build: atomicMin)
 //   1  ancestor: the node whose intersection subtree this volume stands in, GNO_TOP_NONE in none (section 3.4)
-//   2  facing + 1 (gnoFacing): 0 or 2; 1: the caster is left out
+//   2  bits 0..1: facing + 1 (gnoFacing), 1: the caster is left out; bits 2..4: lateral plane 0..2 is a substitute (plane.glsl, 8)
 //   3  reach: the caster's largest gnoLightScale, float bits
 #ifndef GNO_TOP_NODE_H
 #define GNO_TOP_NODE_H
@@ -27,6 +27,9 @@
 GNO_NAMESPACE_BEGIN
 
 GNO_CONST uint GNO_TOP_NONE = 0xFFFFFFFFu;  // no child, no ancestor, empty tree
+
+GNO_CONST uint GNO_TOP_SUBSTITUTE = 4u;     // << place, in the aux of a volume's third node
+GNO_CONST uint GNO_TOP_SUBSTITUTES = 28u;   // any of them
 
 struct GnoTopLink {          // std430, 16 bytes
     uint positiveChild;      //  0  GNO_TOP_NONE when absent

@@ -3,6 +3,7 @@
 // After Mora et al., EGSR 2016, section 3.1 (figure 2); margins, bands and bounds are this project's, derived below.
 //
 //   vec4  gnoTopLateralPlane(vec4 light, vec3 a, vec3 b, int facing, uint precision)   through the light and edge ab; inside is negative
+//   bool  gnoTopSubstitute(vec4 light, GnoCaster t, uint place, out vec4 plane)        for a lateral plane that fp32 cannot tell: one that only routes (8)
 //   vec4  gnoTopCapPlane(vec4 light, GnoCaster t, int facing, uint precision)          the caster's own plane; the light's side is positive
 //   float gnoTopSide(vec4 plane, vec3 q)                   > 0: positive side
 //   float gnoTopBand(vec4 light, bool cap, float scale, float reach)       |side| <= band: the sign is not certain
@@ -47,9 +48,15 @@
 //    A side in the band is below 2E and so below either bound, whatever its computed sign.
 // 7. Least depth. Any vector g of length <= 1 + 4u bounds the distance from below by min g.v_i; minus 2E|v_i| (g.v errs by 4u|v|, |q| in the query by 4u|q|).
 //    Directional: min over the vertices of the depth, each side errs by at most 16u, so minus 5E.
+// 8. Substitute. An edge that points at the light leaves its plane undetermined: kappa = 1 + 1/sin(angle between r and e), and at err >= len nothing is left of it. Any plane through
+//    the light may route, so such an edge (kappa > 64) gets one that leaves the whole caster certainly on its negative side, beyond the build's own margin (it is looked at
+//    with the expressions of the build): a point of the owner's volume is then certainly negative, too, and (2), (3), (5) and (6) hold for the stored plane, which errs by nothing. Inside
+//    its band a point is in no volume of the owner, the positive or the negative child. It says nothing about the owner otherwise: whoever comes out behind the cap of such
+//    a volume is decided exactly, all planes at once, and the volume swallows no other caster.
 #ifndef GNO_TOP_PLANE_GLSL
 #define GNO_TOP_PLANE_GLSL
 #include "../core/light.glsl"
+#include "../core/portable.h"
 #include "node.h"
 GNO_NAMESPACE_BEGIN
 
@@ -86,12 +93,6 @@ GNO_INLINE vec4 gnoTopLateralPlane(vec4 light_, vec3 a_, vec3 b_, int facing_, u
     return vec4(n_, offset_);
 }
 
-GNO_INLINE vec4 gnoTopCapPlane(vec4 light_, GnoCaster t_, int facing_, uint precision_) {
-    vec3 n_ = gnoTopNormal_(t_.b - t_.a, t_.c - t_.a, precision_);
-    if (facing_ > 0) n_ = -n_;
-    return vec4(n_, -gnoDot(n_, gnoFromLight(light_, t_.a)));
-}
-
 GNO_INLINE float gnoTopSide(vec4 plane_, vec3 q_) {
     precise float side_ = plane_.x * q_.x + plane_.y * q_.y + plane_.z * q_.z + plane_.w;
     return side_;
@@ -105,6 +106,61 @@ GNO_INLINE float gnoTopBand(vec4 light_, bool cap_, float scale_, float reach_) 
 GNO_INLINE float gnoTopMargin(vec4 light_, bool cap_, float scale_, float reach_) {
     if (light_.w == 0.0f) return 6.0f * GNO_BAND * GNO_SCENE_RADIUS;
     return 3.0f * GNO_BAND * (cap_ ? scale_ + reach_ : scale_);
+}
+
+GNO_INLINE vec3 gnoTopUnit_(vec3 v_) {  // zero stays zero
+    float length_ = gnoLength(v_);
+    return length_ > 1e-15f ? v_ * (1.0f / length_) : vec3(0.0f);
+}
+
+// Towards the outside of the edge at `place` (0: ab, 1: bc, 2: ca), at a right angle to `axis`; where the caster is too thin to tell, one of three directions.
+GNO_INLINE vec3 gnoTopOutward_(vec3 axis_, vec3 toThird_, uint place_) {
+    vec3 across_ = toThird_ - axis_ * gnoDot(toThird_, axis_);
+    if (gnoLength(across_) > 64.0f * GNO_BAND) return -gnoTopUnit_(across_);
+    vec3 other_ = abs(axis_.x) < 0.6f ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 1.0f, 0.0f);
+    vec3 first_ = gnoTopUnit_(gnoCross(axis_, other_));
+    vec3 second_ = gnoCross(axis_, first_);
+    float turn_ = place_ == 0u ? 0.0f : place_ == 1u ? 0.8660254f : -0.8660254f;
+    return gnoTopUnit_(first_ * (place_ == 0u ? 1.0f : -0.5f) + second_ * turn_);
+}
+
+// False: the edge's own plane is good enough, or no plane of this kind was found.
+GNO_INLINE bool gnoTopSubstitute(vec4 light_, GnoCaster t_, uint place_, GNO_OUT(vec4) plane_) {
+    plane_ = vec4(0.0f);
+    vec3 a_ = place_ == 0u ? t_.a : place_ == 1u ? t_.b : t_.c;
+    vec3 b_ = place_ == 0u ? t_.b : place_ == 1u ? t_.c : t_.a;
+    vec3 c_ = place_ == 0u ? t_.c : place_ == 1u ? t_.a : t_.b;
+    bool point_ = light_.w != 0.0f;
+    vec3 qa_ = gnoFromLight(light_, a_);
+    vec3 qb_ = gnoFromLight(light_, b_);
+    vec3 qc_ = gnoFromLight(light_, c_);
+    vec3 r_ = point_ ? qa_ : vec3(light_.x, light_.y, light_.z);
+    vec3 e_ = b_ - a_;
+    if (gnoLength(gnoCross(r_, e_)) * 63.0f > gnoLength(r_) * gnoLength(e_)) return false;  // kappa <= 64
+    vec3 n_;
+    float offset_ = 0.0f;
+    if (point_) {
+        vec3 ua_ = gnoTopUnit_(qa_);
+        vec3 ub_ = gnoTopUnit_(qb_);
+        vec3 uc_ = gnoTopUnit_(qc_);
+        vec3 axis_ = gnoTopUnit_(ua_ + ub_);
+        vec3 outward_ = gnoTopOutward_(axis_, uc_, place_);
+        float tilt_ = max(0.0f, max(gnoDot(outward_, ua_), max(gnoDot(outward_, ub_), gnoDot(outward_, uc_)))) + 6.0f * GNO_BAND;
+        n_ = gnoTopUnit_(outward_ - axis_ * tilt_) * (1.0f - GNO_BAND);
+    } else {
+        n_ = gnoTopOutward_(gnoTopUnit_(r_), c_ - a_, place_) * (1.0f - GNO_BAND);
+        offset_ = -max(gnoDot(n_, qa_), max(gnoDot(n_, qb_), gnoDot(n_, qc_))) - 8.0f * GNO_BAND * GNO_SCENE_RADIUS;
+    }
+    plane_ = vec4(n_, offset_);
+    return gnoTopSide(plane_, qa_) < -gnoTopMargin(light_, false, gnoLightScale(light_, qa_), 0.0f) &&
+           gnoTopSide(plane_, qb_) < -gnoTopMargin(light_, false, gnoLightScale(light_, qb_), 0.0f) &&
+           gnoTopSide(plane_, qc_) < -gnoTopMargin(light_, false, gnoLightScale(light_, qc_), 0.0f);
+}
+
+GNO_INLINE vec4 gnoTopCapPlane(vec4 light_, GnoCaster t_, int facing_, uint precision_) {
+    vec3 n_ = gnoTopNormal_(t_.b - t_.a, t_.c - t_.a, precision_);
+    if (facing_ > 0) n_ = -n_;
+    return vec4(n_, -gnoDot(n_, gnoFromLight(light_, t_.a)));
 }
 
 // The point of the triangle nearest to the origin, approximately (Ericson, Real-Time Collision Detection, 5.1.5). Any error only loosens a bound.

@@ -4,6 +4,7 @@
 // Outside the band (plane.glsl) a plane's fp32 sign is certain: it routes, and it is the owner's decision. Inside the band
 //   certified      the exact sign of the owner's plane at p does both: lateral zero goes negative (the volume is closed), cap zero positive (in shadow is strictly
 //                  behind). Casters that touch the plane are filed by it (build.glsl). A sample's own caster never shadows it: at its cap the point goes positive.
+//                  In the band of a substitute plane (plane.glsl, 8) only the intersection child is left; the owner of such a plane is decided exactly behind its cap.
 //   conservative   in a lateral band the point lies in no volume of the positive or the negative child (their margin is wider): the owner's volume is decided in fp32
 //                  at the caster (core/decide.glsl), then only the intersection child is left. In the cap's band the positive child is left as well: the cap does not
 //                  pass through the light, casters in front of it do shadow points on it.
@@ -16,7 +17,7 @@
 // Macro                        required  default                  meaning
 // GNO_TOP_LOAD_NODE(index)     yes       -                        GnoTopNode at index; index < node count, never GNO_TOP_NONE; no side effect
 // GNO_TOP_LOAD_ANCESTOR(index) yes       -                        ancestor link of the volume that node index belongs to
-// GNO_TOP_LOAD_FACING(index)   yes       -                        facing + 1 of the caster that node index belongs to
+// GNO_TOP_LOAD_FLAGS(index)    yes       -                        aux of the third node of the volume that node index belongs to (node.h)
 // GNO_TOP_ROOT                 no        0u                       index of the root; GNO_TOP_NONE means an empty tree: everything is lit
 // GNO_LIGHT                    yes       -                        vec4, homogeneous (core/light.glsl)
 // GNO_LOAD_CASTER(index)       yes       -                        GnoCaster, on the scene grid
@@ -27,8 +28,8 @@
 #include "../core/counters.glsl"
 #include "../core/decide.glsl"
 #include "plane.glsl"
-#if !defined(GNO_TOP_LOAD_NODE) || !defined(GNO_TOP_LOAD_ANCESTOR) || !defined(GNO_TOP_LOAD_FACING)
-#error "top/visit.glsl: define GNO_TOP_LOAD_NODE(index), GNO_TOP_LOAD_ANCESTOR(index) and GNO_TOP_LOAD_FACING(index) or include top/bindings.glsl before this file"
+#if !defined(GNO_TOP_LOAD_NODE) || !defined(GNO_TOP_LOAD_ANCESTOR) || !defined(GNO_TOP_LOAD_FLAGS)
+#error "top/visit.glsl: define GNO_TOP_LOAD_NODE(index), GNO_TOP_LOAD_ANCESTOR(index) and GNO_TOP_LOAD_FLAGS(index) or include top/bindings.glsl before this file"
 #endif
 #ifndef GNO_LIGHT
 #error "top/visit.glsl: define GNO_LIGHT, a homogeneous vec4"
@@ -76,7 +77,7 @@ GNO_INLINE bool gnoTopMeetsIntersection_(GnoTopPoint_ point_, GnoTopNode node_, 
 }
 
 // The exact side of a point in the band: 1 positive, -1 negative, 0 on the plane.
-GNO_INLINE int gnoTopExactSide_(GnoTopPoint_ point_, uint index_) {
+GNO_INLINE int gnoTopExactSide_(GnoTopPoint_ point_, uint index_, uint flags_) {
     GnoCaster t_ = GNO_LOAD_CASTER(index_ >> 2);
     uint place_ = index_ & 3u;
     vec4 origin_ = place_ == 3u ? vec4(t_.a, 1.0f) : GNO_LIGHT;  // orient3d(a, b, c, p), or orient3d(light, a, b, p) and its rotations
@@ -84,7 +85,7 @@ GNO_INLINE int gnoTopExactSide_(GnoTopPoint_ point_, uint index_) {
     vec3 second_ = place_ == 0u ? t_.b : place_ == 2u ? t_.a : t_.c;
     GNO_COUNT(exactCalls, 1u);
     int sign_ = gnoOrient3dLight(origin_, first_, second_, point_.position);
-    return GNO_TOP_LOAD_FACING(index_) == 2u ? -sign_ : sign_;
+    return (flags_ & 3u) == 2u ? -sign_ : sign_;
 }
 
 const uint GNO_TOP_SHADOW_ = 0xFFFFFFFEu;  // what gnoTopNext_ returns for "in the owner's volume"
@@ -99,10 +100,20 @@ GNO_INLINE uint gnoTopNext_(GnoTopPoint_ point_, GnoTopNode node_, uint index_, 
     uint owner_ = index_ >> 2;
     bool uncertain_ = abs(side_) <= gnoTopBand(GNO_LIGHT, cap_, point_.scale, cap_ ? uintBitsToFloat(node_.aux) : 0.0f);
     if (cap_ && owner_ == point_.own) return node_.positiveChild;
-    if (uncertain_ && GNO_PRECISION == GNO_PRECISION_CERTIFIED) {
-        int exact_ = gnoTopExactSide_(point_, index_);
-        if (cap_) return exact_ < 0 ? GNO_TOP_SHADOW_ : node_.positiveChild;
-        return exact_ > 0 ? node_.positiveChild : index_ + 1u;
+    if (GNO_PRECISION == GNO_PRECISION_CERTIFIED && (uncertain_ || (cap_ && side_ < 0.0f))) {
+        uint place_ = index_ & 3u;
+        uint flags_ = GNO_TOP_LOAD_FLAGS(index_);
+        if (!cap_ && (flags_ & (GNO_TOP_SUBSTITUTE << place_)) != 0u) return GNO_TOP_NONE;
+        // What is to be asked: this plane where it is uncertain; behind a cap with substitute planes before it, all three lateral ones.
+        uint asked_ = cap_ && (flags_ & GNO_TOP_SUBSTITUTES) != 0u ? 0u : place_;
+        uint end_ = uncertain_ ? place_ + 1u : place_;
+        bool positive_ = false;
+        for (; asked_ < end_ && !positive_; ++asked_) {
+            int exact_ = gnoTopExactSide_(point_, 4u * owner_ + asked_, flags_);
+            positive_ = asked_ == 3u ? exact_ >= 0 : exact_ > 0;
+        }
+        if (positive_) return node_.positiveChild;
+        return cap_ ? GNO_TOP_SHADOW_ : index_ + 1u;
     }
     if (uncertain_) {
         if (owner_ != point_.own) {
