@@ -11,7 +11,7 @@ GnoTopNode engineLoadNode(uint i) { return frame.nodes.v[i]; }
 GnoCaster engineLoadCaster(uint i) { return GnoCaster(frame.corners.v[3u * i].xyz, frame.corners.v[3u * i + 1u].xyz, frame.corners.v[3u * i + 2u].xyz); }
 #define GNO_TOP_LOAD_NODE(index_) engineLoadNode(index_)
 #define GNO_TOP_LOAD_ANCESTOR(index_) frame.nodes.v[((index_) & ~3u) + 1u].aux
-#define GNO_TOP_LOAD_FACING(index_) frame.nodes.v[((index_) & ~3u) + 2u].aux
+#define GNO_TOP_LOAD_FLAGS(index_) frame.nodes.v[((index_) & ~3u) + 2u].aux
 #define GNO_TOP_ROOT frame.root
 #define GNO_LIGHT frame.light
 #define GNO_LOAD_CASTER(index_) engineLoadCaster(index_)

@@ -7,7 +7,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/core/bindings.glsl"
 #include "gnomon/top/node.h"
 layout(set = 0, binding = 1, std430) readonly buffer Ours { GnoTopNode node[64]; } ours;
-#define GNO_TOP_LOAD_FACING(number) ours.node[(number) - (number) % 4u + 2u].aux
+#define GNO_TOP_LOAD_FLAGS(number) ours.node[(number) - (number) % 4u + 2u].aux
 #define GNO_TOP_LOAD_ANCESTOR(number) ours.node[(number) - (number) % 4u + 1u].aux
 #include "gnomon/top/query_stack.glsl"
 layout(local_size_x = 64) in;

@@ -24,7 +24,7 @@ GnoCaster engineCaster(uint number) { return GnoCaster(corners.corner[3u * numbe
 vec4 engineLight(float traps) { return push.light + vec4(traps); }
 #define GNO_TOP_LOAD_NODE(number) engineNode(trapped(number, TRAPS))
 #define GNO_TOP_LOAD_ANCESTOR(number) children.aux[trapped(4u * ((number) / 4u) + 1u, TRAPS)]
-#define GNO_TOP_LOAD_FACING(number) children.aux[trapped(4u * ((number) / 4u) + 2u, TRAPS)]
+#define GNO_TOP_LOAD_FLAGS(number) children.aux[trapped(4u * ((number) / 4u) + 2u, TRAPS)]
 #define GNO_TOP_ROOT trapped(push.root, TRAPS)
 #define GNO_LIGHT engineLight(TRAPS)
 #define GNO_LOAD_CASTER(number) engineCaster(trapped(number, TRAPS))

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Must fail with the #error of top/visit.glsl that names GNO_TOP_LOAD_FACING.
+// Must fail with the #error of top/visit.glsl that names GNO_TOP_LOAD_FLAGS.
 layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
 #define GNO_LIGHT push.light
 #include "gnomon/core/bindings.glsl"
