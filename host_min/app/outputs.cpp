@@ -55,12 +55,15 @@ void FrameOutputs::add(const Technique& technique, const TechniqueResult& result
     const uint32_t w = inputs_.width(), h = inputs_.height();
     const Raster<uint8_t> visibility(w, h, narrow(result.visibility));
     ExrLayer layer{layerName, {{"visibility", visibility.pixels}}};
-    pictures_.push_back({layerName + "-shaded", shadePicture({positions_, normals_, baseColors_, visibility, light_.homogeneous, light_.color, {0, 1, 0}, inputs_.viewer()})});
+    pictures_.push_back(
+        {layerName + "-shaded",
+         shadePicture({positions_, normals_, baseColors_, visibility, light_.homogeneous, light_.color, {0, 1, 0}, inputs_.viewer()})});
     pictures_.push_back({layerName + "-mask", maskPicture(visibility)});
     const auto addHeatMap = [&](const std::vector<uint32_t>& values, const char* channel, const char* title, const char* unit) {
         if (values.empty()) return;
         layer.channels.push_back({channel, values});
-        pictures_.push_back({fmt::format("{}-{}", layerName, channel), heatMap(Raster<uint32_t>(w, h, values), isSample_, {fmt::format("{}: {}", layerName, title), unit, {}})});
+        pictures_.push_back({fmt::format("{}-{}", layerName, channel),
+                             heatMap(Raster<uint32_t>(w, h, values), isSample_, {fmt::format("{}: {}", layerName, title), unit, {}})});
     };
     addHeatMap(result.visitedNodes, "visited_nodes", "visited nodes", "nodes");
     addHeatMap(result.deepestStack, "stack", "deepest stack", "entries");
@@ -92,7 +95,8 @@ void FrameOutputs::write() {
         index["light"] = {light.x, light.y, light.z, light.w};
         index["size"] = {inputs_.width(), inputs_.height()};
         for (const DumpedBuffer& buffer : dump.buffers) writeRaw(buffer.name, buffer.bytes, buffer.layout);
-        writeRaw("casters", inputs_.casters().download(), "float[9 * casters], grid positions");
+        const std::vector<std::byte> casters = inputs_.casters().download();  // the buffer itself may be longer
+        writeRaw("casters", std::span(casters).first(inputs_.triangleCount() * sizeof(Triangle)), "float[9 * casters], grid positions");
         writeRaw("samples", inputs_.samples().download(), "uvec4[width * height]: position as float bits, own caster");
         AtomicFile out(options_.out / fmt::format("{}-{}-dump.json", stem_, dump.suffix));
         out.stream() << index.dump(1) << '\n';
