@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+// What the program writes: records by their contract, EXR layers by name, pictures, dumped buffers; and the commands that only tell.
+#include <algorithm>
+#include <variant>
+
+#include "glsl/top/node.h"
+#include "host_min/output/exr.hpp"
+#include "validation/tests/cli_child.hpp"
+
+namespace gno::test {
+namespace {
+
+namespace fs = std::filesystem;
+using host::test::Json;
+using Names = std::set<std::string>;
+
+const std::vector<std::string> kAll{"psv", "d-psv", "d-stackless", "d-hybrid"};
+
+Names keysOf(const Json& object) {
+    Names keys;
+    for (const auto& [key, value] : object.items()) keys.insert(key);
+    return keys;
+}
+
+std::vector<Json> recordsOf(const fs::path& path) {
+    std::vector<Json> records;
+    for (const std::string& line : linesOf(readFile(path))) records.push_back(Json::parse(line));
+    return records;
+}
+
+/// Visibility of one technique, per pixel: what the record counts.
+std::vector<float> maskOf(const fs::path& exr, const std::string& channel) {
+    return std::get<std::vector<float>>(host::readExr(exr).channels.at(channel));
+}
+
+/// Runs into stage.out() with a record and returns its lines.
+std::vector<Json> shade(const Stage& stage, std::vector<std::string> arguments) {
+    const fs::path record = stage.path() / "record.jsonl";
+    arguments.insert(arguments.end(), {"--json", record.string()});
+    expectDone(stage.shade(arguments));
+    return fs::exists(record) ? recordsOf(record) : std::vector<Json>();
+}
+
+void expectContract(const Json& record, bool checked) {
+    Names keys{"schema",  "scene",   "frame",     "light",  "technique", "precision", "settings", "device",   "size",   "triangles",
+               "casters", "samples", "in_shadow", "passes", "total_ms",  "floor_ms",  "bytes",    "counters", "effects"};
+    if (checked) keys.insert("check");
+    EXPECT_EQ(keysOf(record), keys);
+    EXPECT_EQ(keysOf(record["device"]), (Names{"name", "driver", "subgroup"}));
+    for (const char* counter : {"visited_nodes", "max_stack", "stack_overflows", "exact_calls", "dropped", "test_and_set"})
+        EXPECT_TRUE(record["counters"].contains(counter)) << counter;
+    double sum = 0;
+    for (const Json& pass : record["passes"]) {
+        EXPECT_EQ(keysOf(pass), (Names{"name", "ms"}));
+        EXPECT_GE(pass["ms"].get<double>(), 0);
+        sum += pass["ms"].get<double>();
+    }
+    EXPECT_FALSE(record["passes"].empty());
+    EXPECT_NEAR(record["total_ms"].get<double>(), sum, 1e-3);
+    EXPECT_EQ(record["schema"], 1);
+    EXPECT_LE(record["in_shadow"].get<uint64_t>(), record["samples"].get<uint64_t>());
+    if (!checked) return;
+    EXPECT_EQ(keysOf(record["check"]), (Names{"checked", "wrong", "leaks", "false_dark", "self", "witness"}));
+    EXPECT_EQ(record["check"]["checked"], record["samples"]);
+    EXPECT_EQ(record["check"]["wrong"], 0) << record["technique"];
+    EXPECT_EQ(record["check"]["self"], 0);
+}
+
+TEST(Shade, AllTechniquesAndLightsWithEverythingWritten) {
+    const Stage stage;
+    const std::string scene = stage.write("scene.glb", smallScene().glb());
+    const auto records = shade(stage, {scene, "--technique", "all", "--light", "all", "--size", "37x23", "--check", "--dump"});
+    ASSERT_EQ(records.size(), 2 * kAll.size());
+    Names expected;
+    for (size_t i = 0; i < records.size(); ++i) {
+        const Json& record = records[i];
+        const std::string light = i < kAll.size() ? "0" : "1", name = kAll[i % kAll.size()] + ".certified", stem = "scene-l" + light + "-f000";
+        expectContract(record, true);
+        EXPECT_EQ(record["technique"], kAll[i % kAll.size()]);
+        EXPECT_EQ(record["precision"], "certified");
+        EXPECT_EQ(record["light"], std::stoi(light));
+        EXPECT_EQ(record["frame"], 0);
+        EXPECT_EQ(record["size"], (Json{37, 23}));
+        EXPECT_EQ(record["triangles"], 14);
+        EXPECT_EQ(record["scene"], scene);
+        EXPECT_EQ(record["effects"][0], light == "0" ? "point_light" : "directional_light");
+        EXPECT_GT(record["in_shadow"].get<uint64_t>(), 0u);
+        EXPECT_EQ(record["in_shadow"], records[i < kAll.size() ? 0 : kAll.size()]["in_shadow"]);
+
+        // The picture holds what the record counts.
+        const std::vector<float> mask = maskOf(stage.out() / (stem + ".exr"), name + ".visibility");
+        EXPECT_EQ(mask.size(), 37u * 23u);
+        EXPECT_EQ(uint64_t(std::count(mask.begin(), mask.end(), float(GNO_VISIBILITY_SHADOW))), record["in_shadow"].get<uint64_t>());
+
+        for (const char* picture : {"shaded", "mask", "visited_nodes", "stack", "difference"})
+            expected.insert(stem + "-" + name + "-" + picture + ".png");
+        expected.insert(stem + ".exr");
+        for (const char* dumped : {"planes.bin", "links.bin", "header.bin", "casters.bin", "samples.bin", "dump.json"})
+            expected.insert(stem + "-" + name + "-" + dumped);
+
+        const Json index = Json::parse(readFile(stage.out() / (stem + "-" + name + "-dump.json")));
+        EXPECT_EQ(index["casters"], 14);
+        std::map<std::string, uint64_t> bytes;
+        for (const Json& buffer : index["buffers"]) {
+            bytes[buffer["name"]] = buffer["bytes"];
+            EXPECT_EQ(fs::file_size(stage.out() / buffer["file"].get<std::string>()), buffer["bytes"].get<uint64_t>()) << buffer["name"];
+        }
+        EXPECT_EQ(bytes, (std::map<std::string, uint64_t>{{"planes", topPlaneBytes(14)},
+                                                          {"links", topLinkBytes(14)},
+                                                          {"header", sizeof(GnoTopHeader)},
+                                                          {"casters", 14 * 36},
+                                                          {"samples", 37 * 23 * 16}}));
+    }
+    EXPECT_EQ(stage.left(), expected);
+
+    Names channels{"position.X", "position.Y", "position.Z", "normal.X", "normal.Y", "normal.Z", "primitive"};
+    for (const std::string& technique : kAll)
+        for (const char* channel : {".visibility", ".visited_nodes", ".stack"}) channels.insert(technique + ".certified" + channel);
+    const host::ExrFile exr = host::readExr(stage.out() / "scene-l0-f000.exr");
+    Names found;
+    for (const auto& [name, pixels] : exr.channels) found.insert(name);
+    EXPECT_EQ(found, channels);
+    EXPECT_EQ(exr.width, 37u);
+    EXPECT_EQ(exr.height, 23u);
+    for (const auto& entry : fs::directory_iterator(stage.out())) {
+        const bool isPng = readFile(entry.path()).starts_with("\x89PNG\r\n");
+        EXPECT_EQ(isPng, entry.path().extension() == ".png") << entry.path();
+    }
+}
+
+TEST(Shade, EveryRungAndNoPictures) {
+    const Stage stage;
+    const std::string scene = stage.write("scene.glb", smallScene().glb());
+    for (const char* precision : {"published", "conservative"}) {
+        const auto records =
+            shade(stage, {scene, "--technique", "d-stackless,psv,d-stackless", "--precision", precision, "--size", "16x16", "--no-pictures"});
+        ASSERT_EQ(records.size(), 2u);
+        EXPECT_EQ(records[0]["technique"], "d-stackless");
+        EXPECT_EQ(records[1]["technique"], "psv");
+        for (const Json& record : records) {
+            expectContract(record, false);
+            EXPECT_EQ(record["precision"], precision);
+        }
+    }
+    EXPECT_EQ(stage.left(), Names());
+}
+
+TEST(Shade, AutoTellsWhatItPicks) {
+    const Stage stage;
+    const std::string scene = stage.write("scene.glb", smallScene().glb());
+    const Outcome outcome = stage.shade({scene, "--size", "16x16", "--json", (stage.path() / "r").string(), "--no-pictures"});
+    expectDone(outcome);
+    EXPECT_NE(outcome.out.find("auto: "), std::string::npos) << outcome.out;
+    const auto records = recordsOf(stage.path() / "r");
+    ASSERT_EQ(records.size(), 1u);
+    EXPECT_NE(outcome.out.find("auto: " + records[0]["technique"].get<std::string>()), std::string::npos) << outcome.out;
+}
+
+TEST(Shade, FramesOfAnAnimation) {
+    const Stage stage;
+    Builder builder = smallScene();
+    const int times = builder.floats({0, 2.0f / 30}, "SCALAR", 1), moves = builder.floats({0, 0, 0, 1.5f, 0, 0}, "VEC3", 3);
+    builder.add("animations", {{"samplers", {{{"input", times}, {"output", moves}, {"interpolation", "LINEAR"}}}},
+                               {"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}}});
+    const auto records = shade(stage, {stage.write("moving.glb", builder.glb()), "--technique", "psv", "--frame", "0..2", "--size", "48x48"});
+    ASSERT_EQ(records.size(), 3u);
+    std::set<std::vector<float>> masks;
+    for (int frame = 0; frame < 3; ++frame) {
+        EXPECT_EQ(records[frame]["frame"], frame);
+        masks.insert(maskOf(stage.out() / ("moving-l0-f00" + std::to_string(frame) + ".exr"), "psv.certified.visibility"));
+    }
+    EXPECT_EQ(masks.size(), 3u);  // the cube moves, and with it its shadow
+    EXPECT_EQ(stage.left().size(), 3u * 5u);
+}
+
+TEST(Shade, OneTriangleAndOnePixel) {
+    const Stage stage;
+    Builder builder;
+    builder.meshNode(host::test::kTriangle);
+    const auto records = shade(stage, {stage.write("one.glb", builder.glb()), "--technique", "all", "--light", "all", "--size", "1x1", "--check"});
+    ASSERT_EQ(records.size(), 2 * kAll.size());
+    for (const Json& record : records) {
+        expectContract(record, true);
+        EXPECT_EQ(record["triangles"], 1);
+        EXPECT_LE(record["samples"].get<int>(), 1);
+        EXPECT_EQ(record["in_shadow"], 0);
+    }
+}
+
+TEST(Shade, DuplicatesAndTrianglesWithoutArea) {
+    const Stage stage;
+    Builder once = smallScene(), often = smallScene();
+    for (int i = 0; i < 3; ++i) often.meshNode(host::test::kCube, host::test::kCubeIndices);
+    often.meshNode({0, 0, 0, 0.5f, 0.5f, 0.5f, 1, 1, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0});
+    const auto few = shade(stage, {stage.write("once.glb", once.glb()), "--technique", "d-hybrid", "--size", "40x40", "--check"});
+    const auto many = shade(stage, {stage.write("often.glb", often.glb()), "--technique", "d-hybrid", "--size", "40x40", "--check"});
+    ASSERT_EQ(few.size(), 1u);
+    ASSERT_EQ(many.size(), 1u);
+    expectContract(many[0], true);
+    EXPECT_EQ(few[0]["triangles"], 14);
+    EXPECT_EQ(many[0]["triangles"], 14 + 3 * 12);
+    EXPECT_EQ(few[0]["samples"], many[0]["samples"]);
+    EXPECT_EQ(maskOf(stage.out() / "once-l0-f000.exr", "d-hybrid.certified.visibility"),
+              maskOf(stage.out() / "often-l0-f000.exr", "d-hybrid.certified.visibility"));
+
+    const Outcome effects = stage.run({"effects", (stage.path() / "often.glb").string()});
+    expectDone(effects);
+    EXPECT_NE(effects.out.find("2 triangles have no area"), std::string::npos) << effects.out;
+    EXPECT_NE(effects.out.find("36 triangles stand there twice"), std::string::npos) << effects.out;
+}
+
+/// The mask of table_fan with these settings, and its record.
+std::pair<std::vector<float>, Json> fan(const std::vector<std::string>& settings) {
+    const Stage stage;
+    std::vector<std::string> arguments{sceneFile("table_fan"), "--technique", "d-hybrid", "--size", "333x217", "--check"};
+    for (const std::string& setting : settings) arguments.insert(arguments.end(), {"--set", setting});
+    const auto records = shade(stage, arguments);
+    if (records.size() != 1) throw std::runtime_error("no record");
+    expectContract(records[0], true);
+    return {maskOf(stage.out() / "table_fan-l0-f000.exr", "d-hybrid.certified.visibility"), records[0]};
+}
+
+TEST(Shade, FragmentStageGivesTheSameMask) {
+    const auto [compute, computeRecord] = fan({"stage=compute"});
+    const auto [fragment, fragmentRecord] = fan({"stage=fragment", "group=32", "stack=3"});
+    EXPECT_EQ(compute.size(), 333u * 217u);
+    EXPECT_EQ(compute, fragment);
+    EXPECT_GT(computeRecord["in_shadow"].get<uint64_t>(), 100u);
+    EXPECT_EQ(fragmentRecord["settings"]["stage"], "fragment");
+    EXPECT_EQ(fragmentRecord["settings"]["group"], 32);
+    EXPECT_EQ(fragmentRecord["settings"]["stack"], 3);
+    EXPECT_EQ(fragmentRecord["settings"]["cull"], "none");
+}
+
+TEST(Shade, Culling) {
+    const auto [none, noneRecord] = fan({});
+    const auto [hull, hullRecord] = fan({"cull=hull"});
+    const auto [front, frontRecord] = fan({"cull=front"});
+    const auto [all, allRecord] = fan({"cull=all"});
+    EXPECT_EQ(none, hull);  // drops nothing that matters
+    EXPECT_EQ(front, all);
+    const auto casters = [](const Json& record) { return record["casters"].get<uint64_t>(); };
+    EXPECT_LE(casters(hullRecord), casters(noneRecord));
+    EXPECT_LT(casters(frontRecord), casters(noneRecord));
+    EXPECT_LE(casters(allRecord), casters(frontRecord));
+    EXPECT_EQ(allRecord["settings"]["cull"], "all");
+}
+
+TEST(Tell, HelpAndVersion) {
+    const Stage stage;
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"--help"}, {"-h"}, {"shade", "--help"}, {"effects", "--help"}, {"techniques", "--help"}, {"device", "--help"}}) {
+        const Outcome outcome = stage.run(words);
+        expectDone(outcome);
+        EXPECT_NE(outcome.out.find("Usage"), std::string::npos) << outcome.out;
+        if (words[0] != "shade") continue;
+        for (const char* option :
+             {"--technique", "--precision", "--size", "--camera", "--light", "--frame", "--set", "--check", "--repeat", "--dump", "--out", "--json"})
+            EXPECT_NE(outcome.out.find(option), std::string::npos) << option;
+    }
+    const Outcome version = stage.run({"--version"});
+    expectDone(version);
+    EXPECT_TRUE(version.out.starts_with("gnomon ")) << version.out;
+    EXPECT_EQ(linesOf(version.out).size(), 1u);
+}
+
+TEST(Tell, Device) {
+    const Outcome outcome = Stage().run({"device"});
+    expectDone(outcome);
+    for (const char* part : {"driver", "subgroup width", "maxStorageBufferRange", "in use: "})
+        EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
+}
+
+TEST(Tell, Techniques) {
+    const Outcome outcome = Stage().run({"techniques"});
+    expectDone(outcome);
+    for (const std::string& technique : kAll) EXPECT_NE(outcome.out.find("\n" + technique + " "), std::string::npos) << technique;
+    for (const char* part :
+         {"not in this build yet", "shadow-map", "--set stack=1..64", "--set cull=none|front|hull|all", "default 12", "default 32"})
+        EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
+}
+
+TEST(Tell, Effects) {
+    const Stage stage;
+    const Outcome small = stage.run({"effects", stage.write("scene.glb", smallScene().glb())});
+    expectDone(small);
+    for (const char* part : {"14 triangles", "point_light", "directional_light", "closed_casters", "open_casters", "auto would run"})
+        EXPECT_NE(small.out.find(part), std::string::npos) << part << "\n" << small.out;
+    const Outcome shipped = stage.run({"effects", sceneFile("table_fan"), "--frame", "7"});
+    expectDone(shipped);
+    EXPECT_NE(shipped.out.find("triangles"), std::string::npos);
+    EXPECT_EQ(stage.left(), Names());
+}
+
+}  // namespace
+}  // namespace gno::test
