@@ -1,0 +1,1 @@
+gnomon_add_device_test(top_cpu_test LIBRARIES gnomon_top_check gnomon_top_plain)
