@@ -110,7 +110,7 @@ GNO_INLINE void gnoTopSetUp(uint caster_, int facing_) {
 
 GNO_INLINE bool gnoTopInsert(uint caster_) {
     uint first_ = 4u * caster_;
-    if (GNO_TOP_LINKS[first_ + 2u].aux == 1u) return false;  // facing 0: left out; written in dispatch 1 only
+    if ((GNO_TOP_LINKS[first_ + 2u].aux & 3u) == 1u) return false;  // facing 0: left out; written in dispatch 1 only
     GnoCaster t_ = GNO_LOAD_CASTER(caster_);
     vec3 q0_ = gnoFromLight(GNO_LIGHT, t_.a);
     vec3 q1_ = gnoFromLight(GNO_LIGHT, t_.b);
