@@ -50,7 +50,8 @@ std::string markdown(std::span<const CaseResult> results, const RunnerOptions& o
     if (results.empty()) return "No case.\n";
     const host::DeviceFacts& device = test::passes().device().facts();
     std::string text = fmt::format(
-        "Made by `gnomon-hard-cases --seeds {}` on {}, {} {}, subgroup width {}. A cell holds {}.\n\n"
+        "Made by `gnomon-hard-cases --seeds {}` on {}, {} {}, subgroup width {}. `gnomon-hard-cases --list` says why a case is hard. A cell holds "
+        "{}.\n\n"
         "Wrong answers, all scenes and insertion seeds of a case together; \"answers\" is how many there were.\n\n",
         options.insertionSeeds, device.deviceName, device.driverName, device.driverInfo, device.subgroupSize, rungs(results.front()));
     text += header(results.front(), "case | triangles | answers");
@@ -64,8 +65,6 @@ std::string markdown(std::span<const CaseResult> results, const RunnerOptions& o
                                 100.0 * double(result.inShadow) / double(result.samples)) +
                     cells(result, [](const Tally& tally) { return fmt::format("{:.1f}", double(tally.visitedNodes) / double(tally.answers)); });
     }
-    text += "\nWhat makes a case hard:\n\n";
-    for (const CaseResult& result : results) text += fmt::format("- **{}**: {}\n", result.hardCase->name, result.hardCase->why);
     return text;
 }
 
