@@ -148,7 +148,9 @@ GNO_INLINE bool gnoTopSubstitute(vec4 light_, GnoCaster t_, uint place_, GNO_OUT
         float tilt_ = max(0.0f, max(gnoDot(outward_, ua_), max(gnoDot(outward_, ub_), gnoDot(outward_, uc_)))) + 6.0f * GNO_BAND;
         n_ = gnoTopUnit_(outward_ - axis_ * tilt_) * (1.0f - GNO_BAND);
     } else {
-        n_ = gnoTopOutward_(gnoTopUnit_(r_), c_ - a_, place_) * (1.0f - GNO_BAND);
+        vec3 axis_ = gnoTopUnit_(r_);
+        n_ = gnoTopOutward_(axis_, c_ - a_, place_);  // what is left of a long vector may lean towards the axis by far more than E: see (5)
+        n_ = gnoTopUnit_(n_ - axis_ * gnoDot(n_, axis_)) * (1.0f - GNO_BAND);
         offset_ = -max(gnoDot(n_, qa_), max(gnoDot(n_, qb_), gnoDot(n_, qc_))) - 8.0f * GNO_BAND * GNO_SCENE_RADIUS;
     }
     plane_ = vec4(n_, offset_);
