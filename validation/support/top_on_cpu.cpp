@@ -75,7 +75,7 @@ GnoTopNode loadNode(uint index) {
 #define GNO_TOP_ROOT state.header.root
 #define GNO_TOP_LOAD_NODE(index_) loadNode(index_)
 #define GNO_TOP_LOAD_ANCESTOR(index_) cpuLinks[((index_) & ~3u) + 1u].aux
-#define GNO_TOP_LOAD_FACING(index_) cpuLinks[((index_) & ~3u) + 2u].aux
+#define GNO_TOP_LOAD_FLAGS(index_) cpuLinks[((index_) & ~3u) + 2u].aux
 #define GNO_TOP_DEPTH_TEST state.depthTest
 #define GNO_LIGHT state.light
 #define GNO_LOAD_CASTER(index_) element(state.casters, index_)
