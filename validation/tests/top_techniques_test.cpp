@@ -47,9 +47,10 @@ std::vector<std::vector<uint32_t>> masks(const test::Scene& scene, const Strings
     for (const Strings& given : settings)
         for (const std::string& name : names) {
             host::Technique& technique = host::techniqueByName(name);
-            result.push_back(
-                technique.run(inputs, structures, host::Settings(technique.info().settings, given), {.precision = precision, .counters = false})
-                    .visibility);
+            result.push_back(technique
+                                 .run(inputs, structures, host::Settings(technique.info().settings, given),
+                                      {.precision = precision, .counters = false, .warmUp = false})
+                                 .visibility);
             result.back().resize(scene.samples.size());
         }
     return result;
