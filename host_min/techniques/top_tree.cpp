@@ -15,7 +15,9 @@ namespace {
 constexpr uint32_t kMaxGroups = 65535;  // the least maxComputeWorkGroupCount[0] that Vulkan allows
 
 /// At least one: set-up writes the header of an empty tree too.
-uint32_t groupCount(uint32_t triangles, uint32_t groupSize) {
+uint32_t groupCount(const DeviceFacts& device, uint32_t triangles, uint32_t groupSize) {
+    if (groupSize > device.maxComputeWorkGroupInvocations)
+        throw InputError(fmt::format("--set group={}: the device's maxComputeWorkGroupInvocations is {}", groupSize, device.maxComputeWorkGroupInvocations));
     const uint32_t groups = std::max(1u, (triangles + groupSize - 1) / groupSize);
     if (groups > kMaxGroups)
         throw InputError(fmt::format("--set group={}: {} triangles would need {} work groups, over the limit of {}; use at least {}", groupSize,
@@ -52,7 +54,7 @@ void TopTree::record(Recording& recording, const FrameInputs& inputs, const TopT
     const ComputePass& build = inputs.passes().compute("top/examples/build.comp" + suffix, constants);
     const ExamplePush push = inputs.push(options.seed);
     const auto bytes = std::as_bytes(std::span(&push, 1));
-    const uint32_t groups = groupCount(inputs.triangleCount(), options.groupSize);
+    const uint32_t groups = groupCount(inputs.device().facts(), inputs.triangleCount(), options.groupSize);
     const std::array resources{Binding{"gnoCasters", &inputs.casters()}, Binding{"gnoStates", &inputs.states()},
                                Binding{"gnoTopPlanes", &planes_},        Binding{"gnoTopLinks", &links_},
                                Binding{"gnoTopHeader", &header_},        Binding{"gnoTotals", totals ? totals : &header_}};

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
@@ -71,6 +72,7 @@ DeviceFacts factsOf(const vk::raii::PhysicalDevice& device) {
     facts.maxBoundDescriptorSets = base.limits.maxBoundDescriptorSets;
     facts.maxPushConstantsSize = base.limits.maxPushConstantsSize;
     facts.maxColorAttachments = base.limits.maxColorAttachments;
+    facts.maxComputeWorkGroupInvocations = std::min(base.limits.maxComputeWorkGroupInvocations, base.limits.maxComputeWorkGroupSize[0]);
     facts.subgroupSize = properties.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
     facts.dynamicRendering = facts.synchronization2 = false;
     if (base.apiVersion >= VK_API_VERSION_1_3) {

@@ -24,6 +24,7 @@ struct DeviceFacts {
     uint32_t maxBoundDescriptorSets = 4;
     uint32_t maxPushConstantsSize = 128;
     uint32_t maxColorAttachments = 4;
+    uint32_t maxComputeWorkGroupInvocations = 1024;
     uint32_t subgroupSize = 8;
 };
 
