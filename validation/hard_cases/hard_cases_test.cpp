@@ -5,10 +5,15 @@
 
 #include <algorithm>
 #include <cctype>
+#include <ostream>
 
 #include "validation/hard_cases/runner.hpp"
 
 namespace gno::hard {
+
+void PrintTo(const HardCase& hardCase, std::ostream* out);  // found by GoogleTest
+void PrintTo(const HardCase& hardCase, std::ostream* out) { *out << hardCase.name; }
+
 namespace {
 
 class HardCases : public testing::TestWithParam<HardCase> {};

@@ -92,6 +92,7 @@ std::vector<HardCase> scale() {
              [](uint32_t seed) {
                  return town(seed, {1e7, -1.3e7, 6e6}, 1);
              },
+         .expectsPublishedErrors = true,
          .conservativeLimit = 0.002},
         {.name = "a town of a ten-thousandth",
          .why = "10^-4 units in all, off the origin: an absolute bias would be larger than the scene",
@@ -99,6 +100,7 @@ std::vector<HardCase> scale() {
              [](uint32_t seed) {
                  return town(seed, {0.7, -0.2, 0.1}, 2.5e-6);
              },
+         .expectsPublishedErrors = true,
          .conservativeLimit = 0.002},
         {.name = "a tiny scene in a corner of the grid",
          .why = "2^-16 wide, where positions have few bits left",
@@ -124,10 +126,12 @@ std::vector<HardCase> scale() {
         {.name = "corners of the grid",
          .why = "the largest triangles there are, samples in the corners",
          .make = corners,
+         .expectsPublishedErrors = true,
          .conservativeLimit = 0.002},
         {.name = "dust next to the light",
          .why = "casters of a millionth whose shadows fill the scene",
          .make = dustAtLight,
+         .expectsPublishedErrors = true,
          .conservativeLimit = 0.1},
     };
 }
