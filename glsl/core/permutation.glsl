@@ -14,6 +14,12 @@
 #include "shared_types.h"
 GNO_NAMESPACE_BEGIN
 
+GNO_INLINE uint gnoMix_(uint x_) {  // every bit of the result depends on every bit of x
+    x_ = (x_ ^ (x_ >> 16)) * 0x7FEB352Du;
+    x_ = (x_ ^ (x_ >> 15)) * 0x846CA68Bu;
+    return x_ ^ (x_ >> 16);
+}
+
 GNO_INLINE uint gnoPermute(uint index_, uint count_, uint seed_) {
     if (count_ < 2u) return index_;
     uint mask_ = count_ - 1u;  // all ones up to the highest bit of count - 1
@@ -23,15 +29,15 @@ GNO_INLINE uint gnoPermute(uint index_, uint count_, uint seed_) {
     mask_ |= mask_ >> 8;
     mask_ |= mask_ >> 16;
     uint half_ = uint(bitCount(mask_) + 1) / 2u;  // the xor-shift brings the high half down
-    uint key_ = seed_ * 0x9E3779B9u + 0x7F4A7C15u;
     uint x_ = index_;
     do {
+        uint key_ = gnoMix_(seed_);  // the same bijection again: only the low bits of a round's two keys count, so each is mixed from the whole seed
         for (uint round_ = 0u; round_ < 4u; ++round_) {
-            key_ = key_ * 1664525u + 1013904223u;
-            x_ = (x_ * 0x2C1B3C6Du + key_) & mask_;
+            uint factor_ = gnoMix_(key_ + 0x9E3779B9u) | 1u;
+            key_ = gnoMix_(key_ + 0x3C6EF372u);
+            x_ = (x_ * factor_ + key_) & mask_;
             x_ ^= x_ >> half_;
         }
-        key_ = seed_ * 0x9E3779B9u + 0x7F4A7C15u;  // the same bijection again
     } while (x_ >= count_);
     return x_;
 }
