@@ -473,8 +473,8 @@ std::vector<Case> makeCases() {
     return cases;
 }
 
-std::string failure(const Case& c, cpu::TopTree& tree) {
-    for (size_t i = 0; i < c.scenes.size(); ++i) {
+std::string failure(const Case& c, cpu::TopTree& tree, size_t scenes) {
+    for (size_t i = 0; i < std::min(c.scenes.size(), scenes); ++i) {
         const TinyScene& s = c.scenes[i];
         const uint mode = uint(i) % cpu::kFloatModes;
         if (c.check == Check::decision) {

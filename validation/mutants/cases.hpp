@@ -25,7 +25,7 @@ struct Case {
 /// All of them, cheap ones first.
 std::vector<Case> makeCases();
 
-/// Empty when the variant passes; else one line: which scene, which query, what is wrong.
-std::string failure(const Case& c, cpu::TopTree& tree);
+/// Empty when the variant passes the first `scenes` of them; else one line: which scene, which query, what is wrong. Then the scene.
+std::string failure(const Case& c, cpu::TopTree& tree, size_t scenes = SIZE_MAX);
 
 }  // namespace gno::mutants
