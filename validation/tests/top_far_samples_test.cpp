@@ -16,7 +16,9 @@ constexpr uint32_t kSeed = 20161;
 test::Scene farSamples(bool directional) {
     std::mt19937 random(kSeed);
     const auto unit = [&] { return double(random()) / 4294967296.0; };
-    const auto point = [&](double x, double y, double z) { return glm::vec3(host::snapCoordinate(x), host::snapCoordinate(y), host::snapCoordinate(z)); };
+    const auto point = [&](double x, double y, double z) {
+        return glm::vec3(host::snapCoordinate(x), host::snapCoordinate(y), host::snapCoordinate(z));
+    };
     test::Scene scene;
     scene.light = directional ? glm::vec4(host::snapDirection({0.2, 1.0, 0.1}), 0) : glm::vec4(point(0.1, 0.9, 0.05), 1);
     for (int i = 0; i < 3000; ++i) {
