@@ -42,11 +42,16 @@ void checkSize(const DeviceFacts& device, uint64_t width, uint64_t height) {
     if (width > limit || height > limit) throw InputError(fmt::format("--size {}x{} is over the limit of {}x{}", width, height, limit, limit));
 }
 
-FrameInputs::FrameInputs(PassCache& passes, const Frame& frame, uint32_t width, uint32_t height)
+FrameInputs::FrameInputs(PassCache& passes, const Frame& frame, uint32_t width, uint32_t height) : FrameInputs(passes, frame, width, height, false) {
+    rasterise();
+}
+
+FrameInputs::FrameInputs(PassCache& passes, const Frame& frame, uint32_t width, uint32_t height, bool givenSamples)
     : passes_(passes),
       frame_(frame),
       width_(width),
       height_(height),
+      givenSamples_(givenSamples),
       casters_(passes.device(), frame.triangles.size() * sizeof(Triangle)),
       states_(passes.device(), frame.triangles.size() * 4),
       closed_(passes.device(), (frame.triangles.size() + 31) / 32 * 4),
@@ -65,12 +70,10 @@ FrameInputs::FrameInputs(PassCache& passes, const Frame& frame, uint32_t width, 
     Recording recording(device());
     for (const Image* image : {&positions_, &normals_, &primitives_, &depth_, &samples_}) recording.toGeneral(*image);
     recording.submit();
-    rasterise();
 }
 
 FrameInputs::FrameInputs(PassCache& passes, const Frame& frame, std::span<const OracleSample> samples, uint32_t width)
-    : FrameInputs(passes, frame, width, uint32_t(std::max<size_t>(1, (samples.size() + width - 1) / width))) {
-    givenSamples_ = true;
+    : FrameInputs(passes, frame, width, uint32_t(std::max<size_t>(1, (samples.size() + width - 1) / width)), true) {
     std::vector<glm::uvec4> texels(size_t(width_) * height_, glm::uvec4(0, 0, 0, GNO_BACKGROUND));
     for (size_t i = 0; i < samples.size(); ++i) {
         const glm::vec3 p = samples[i].position;

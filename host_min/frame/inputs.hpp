@@ -65,12 +65,13 @@ public:
     [[nodiscard]] std::vector<uint8_t> definitionCasters() const;
 
 private:
+    FrameInputs(PassCache& passes, const Frame& frame, uint32_t width, uint32_t height, bool givenSamples);  // all but the samples
     void rasterise();
 
     PassCache& passes_;
     const Frame& frame_;
     uint32_t width_, height_;
-    bool givenSamples_ = false;
+    bool givenSamples_;
     Buffer casters_, states_, closed_, camera_, planes_;
     Image positions_, normals_, primitives_, depth_, samples_;
     glm::vec4 light_{0};

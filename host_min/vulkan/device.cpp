@@ -24,6 +24,8 @@ VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT 
 }
 
 vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validation) {
+    // Mesa 25.0's disk cache of lavapipe shaders forgets the vector width: code for another width would be run, and subgroups vanish.
+    if (std::getenv("LP_NATIVE_VECTOR_WIDTH")) setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
     const vk::ApplicationInfo application("gnomon", 1, "gnomon", 1, VK_API_VERSION_1_3);
     std::vector<const char*> layers, extensions;
     const vk::ValidationFeatureEnableEXT synchronization = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;

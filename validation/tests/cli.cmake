@@ -2,7 +2,7 @@
 gnomon_add_test(device_choice_test LIBRARIES gnomon_vulkan TIMEOUT 60)
 gnomon_add_test(settings_test LIBRARIES gnomon_app gnomon_oracle TIMEOUT 60)
 gnomon_add_test(cull_hull_test LIBRARIES gnomon_frame TIMEOUT 60)
-gnomon_add_device_test(cull_hull_device_test)
+gnomon_add_device_test(cull_hull_device_test RASTERISES)
 foreach(part bad_input failure shade)
   gnomon_add_test(cli_${part}_test LIBRARIES gnomon_output gnomon_scene nlohmann_json::nlohmann_json TIMEOUT 300)
   target_compile_definitions(cli_${part}_test PRIVATE GNOMON_PROGRAM="$<TARGET_FILE:gnomon>" GNOMON_SCENES_DIR="${PROJECT_SOURCE_DIR}/scenes")

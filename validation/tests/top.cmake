@@ -5,7 +5,7 @@ gnomon_add_device_test(top_techniques_test)
 add_library(gnomon_image_report STATIC ${PROJECT_SOURCE_DIR}/validation/support/image_report.cpp)
 target_link_libraries(gnomon_image_report PUBLIC gnomon_device_test)
 gnomon_add_device_test(compare_masks_test LIBRARIES gnomon_image_report)
-gnomon_add_device_test(top_images_test LIBRARIES gnomon_image_report)
+gnomon_add_device_test(top_images_test RASTERISES LIBRARIES gnomon_image_report)
 target_compile_definitions(top_images_test PRIVATE GNOMON_FAILURES_DIR="${PROJECT_BINARY_DIR}/failures")
 
 # The same program at three numbers of threads of the driver.

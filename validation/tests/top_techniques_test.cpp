@@ -81,8 +81,12 @@ TEST(TopTechniques, OneMaskWhateverTheStack) {
 }
 
 TEST(TopTechniques, FragmentStage) {
-    for (const bool directional : {false, true})
-        expectOneMask(soup(directional, 1500, 0.15, 3000), kTop, {{"stage=fragment"}, {"stage=compute"}}, true);
+    for (const bool directional : {false, true}) {
+        // lavapipe 25.0 with LLVM 15 crashes when it compiles a graphics pipeline for width 16: there the compute stage stands alone.
+        std::vector<std::vector<std::string>> stages{{"stage=compute"}};
+        if (test::passes().device().facts().subgroupSize <= 8) stages.push_back({"stage=fragment"});
+        expectOneMask(soup(directional, 1500, 0.15, 3000), kTop, stages, true);
+    }
 }
 
 TEST(TopTechniques, InsertionOrderAndWorkGroup) {
