@@ -21,7 +21,7 @@ gnomon_as_root() {
 
 gnomon_apt() { gnomon_as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -y -o Dpkg::Use-Pty=0 "$@" >/dev/null; }
 
-gnomon_installed_version() { dpkg-query -W -f '${db:Status-Status} ${Version}\n' "$1" 2>/dev/null | sed -n 's/^installed //p' | head -n 1; }
+gnomon_installed_version() { dpkg-query -W -f '${db:Status-Status} ${Version}\n' "$1" 2>/dev/null | sed -n 's/^installed //p' | sed -n 1p; }
 
 gnomon_install_packages() {
   local package missing=()

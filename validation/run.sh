@@ -9,6 +9,6 @@ log=build/ctest-times.txt
 status=0
 ctest --test-dir build --output-on-failure --no-tests=error -j "$(nproc)" --output-log "$log" "$@" || status=$?
 echo "slowest tests:"
-sed -n 's/^ *[0-9]*\/[0-9]* Test *#[0-9]*: \([^ ]*\) .* \([0-9.]*\) sec.*/\2 s  \1/p' "$log" | sort -rn | head -n 8
+sed -n 's/^ *[0-9]*\/[0-9]* Test *#[0-9]*: \([^ ]*\) .* \([0-9.]*\) sec.*/\2 s  \1/p' "$log" | sort -rn | sed -n 1,8p
 sed -n '/tests passed/,$p' "$log" | grep -E 'tests passed|Total Test time' || true
 exit $status
