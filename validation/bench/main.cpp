@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// gnomon-bench queries|ladder|stacks|growth|routing|own SCENE... : the measurements of the READMEs as Markdown tables. Counters do not depend on the machine; times
-// are to be read as ratios within one run.
+// gnomon-bench queries|ladder|stacks|growth|routing|own SCENE... : the measurements of the READMEs as Markdown tables. Counters do not depend on the
+// machine; times are to be read as ratios within one run.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -44,16 +44,25 @@ int run(int argc, char** argv) {
     const host::Device device(host::DeviceOptions::fromEnvironment());
     host::checkSize(device.facts(), base.width, base.height);
     host::PassCache passes(device);
-    fmt::print("{}, {} {}, subgroup width {}; {}x{}, frame {}, {}, cull {}, precision {}, seeds 1..{} (mean ± standard deviation)\n\n", device.facts().deviceName,
-               device.facts().driverName, device.facts().driverInfo, device.facts().subgroupSize, base.width, base.height, base.frame,
-               bothLights ? "lights 0 and 1" : fmt::format("light {}", base.light), cull,
-               table == "ladder" ? "all" : table == "routing" || table == "own" ? "certified" : precision, base.seeds);
-    if (table == "queries") bench::printQueries(passes, base, scenes);
-    else if (table == "ladder") bench::printLadder(passes, base, scenes);
-    else if (table == "stacks") bench::printStacks(passes, base, scenes);
-    else if (table == "routing") bench::printRouting(passes, base, scenes);
-    else if (table == "own") bench::printOwn(passes, base, scenes);
-    else bench::printGrowth(passes, base, scenes);
+    fmt::print("{}, {} {}, subgroup width {}; {}x{}, frame {}, {}, cull {}, precision {}, seeds 1..{} (mean ± standard deviation)\n\n",
+               device.facts().deviceName, device.facts().driverName, device.facts().driverInfo, device.facts().subgroupSize, base.width, base.height,
+               base.frame, bothLights ? "lights 0 and 1" : fmt::format("light {}", base.light), cull,
+               table == "ladder"                      ? "all"
+               : table == "routing" || table == "own" ? "certified"
+                                                      : precision,
+               base.seeds);
+    if (table == "queries")
+        bench::printQueries(passes, base, scenes);
+    else if (table == "ladder")
+        bench::printLadder(passes, base, scenes);
+    else if (table == "stacks")
+        bench::printStacks(passes, base, scenes);
+    else if (table == "routing")
+        bench::printRouting(passes, base, scenes);
+    else if (table == "own")
+        bench::printOwn(passes, base, scenes);
+    else
+        bench::printGrowth(passes, base, scenes);
     return 0;
 }
 

@@ -50,7 +50,8 @@ std::string stem(const std::string& scene) { return std::filesystem::path(scene)
 
 Subject::Subject(host::PassCache& passes, const Job& job, bool check)
     : frame_(host::SceneFile::load(job.scene).evaluate(job.frame, 0)), inputs_(passes, frame_, job.width, job.height) {
-    if (job.light >= frame_.lights.size()) throw host::InputError(fmt::format("--light {}: {} has {} lights", job.light, job.scene, frame_.lights.size()));
+    if (job.light >= frame_.lights.size())
+        throw host::InputError(fmt::format("--light {}: {} has {} lights", job.light, job.scene, frame_.lights.size()));
     inputs_.setLight(frame_.lights[job.light].homogeneous, job.cull);
     if (check) truth_ = oracleMask(inputs_);
 }

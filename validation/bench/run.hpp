@@ -11,14 +11,14 @@
 namespace gno::bench {
 
 struct Job {
-    std::string scene;                     ///< .glb file
+    std::string scene;  ///< .glb file
     uint32_t width = 1920, height = 1080, frame = 0, light = 0;
     host::Cull cull = host::Cull::none;
     std::vector<host::Precision> precisions{host::Precision::certified};
-    std::vector<std::string> techniques;   ///< those that share a structure share it
-    std::vector<std::string> settings;     ///< without seed
-    uint32_t seeds = 8;                    ///< 1 .. seeds
-    uint32_t repeats = 1;                  ///< of each time; the precisions take turns, so that a busy machine is busy for all of them
+    std::vector<std::string> techniques;  ///< those that share a structure share it
+    std::vector<std::string> settings;    ///< without seed
+    uint32_t seeds = 8;                   ///< 1 .. seeds
+    uint32_t repeats = 1;                 ///< of each time; the precisions take turns, so that a busy machine is busy for all of them
     bool check = false;
 };
 

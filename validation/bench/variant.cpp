@@ -40,8 +40,9 @@ Variant::Tree Variant::build(const host::FrameInputs& inputs, uint32_t seed) con
     totals.fill(0);
     const host::ExamplePush push = inputs.push(seed);
     const auto bytes = std::as_bytes(std::span(&push, 1));
-    const std::array resources{Binding{"gnoCasters", &inputs.casters()}, Binding{"gnoStates", &inputs.states()}, Binding{"gnoTopPlanes", &tree.planes},
-                               Binding{"gnoTopLinks", &tree.links},      Binding{"gnoTopHeader", &tree.header},  Binding{"gnoTotals", &totals}};
+    const std::array resources{Binding{"gnoCasters", &inputs.casters()}, Binding{"gnoStates", &inputs.states()},
+                               Binding{"gnoTopPlanes", &tree.planes},    Binding{"gnoTopLinks", &tree.links},
+                               Binding{"gnoTopHeader", &tree.header},    Binding{"gnoTotals", &totals}};
     host::Recording recording(device_);
     for (const auto* dispatch : {setUp_.get(), build_.get()}) {
         recording.beginPass(dispatch == build_.get() ? "build" : "set_up");
@@ -59,8 +60,12 @@ Variant::Answer Variant::ask(const host::FrameInputs& inputs, const Tree& tree, 
     host::Image counts(device_, inputs.width(), inputs.height(), vk::Format::eR32G32B32A32Uint);
     for (host::Image* image : {&visibility, &counts}) image->clear(vk::ClearColorValue(kPoison, kPoison, kPoison, kPoison));
     const host::ExamplePush push = inputs.push();
-    const std::array resources{Binding{"gnoCasters", &inputs.casters()}, Binding{"gnoTopPlanes", &tree.planes},  Binding{"gnoTopLinks", &tree.links},
-                               Binding{"gnoTopHeader", &tree.header},    Binding{"gnoSamples", &inputs.samples()}, Binding{"gnoVisibility", &visibility},
+    const std::array resources{Binding{"gnoCasters", &inputs.casters()},
+                               Binding{"gnoTopPlanes", &tree.planes},
+                               Binding{"gnoTopLinks", &tree.links},
+                               Binding{"gnoTopHeader", &tree.header},
+                               Binding{"gnoSamples", &inputs.samples()},
+                               Binding{"gnoVisibility", &visibility},
                                Binding{"gnoCounts", &counts}};
     host::Recording recording(device_);
     queries_.at(technique)->dispatch(recording, resources, std::as_bytes(std::span(&push, 1)), (inputs.width() + 7) / 8, (inputs.height() + 7) / 8);
