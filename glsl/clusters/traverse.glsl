@@ -104,21 +104,15 @@ float gnoClusterMargin_(GnoClusterVolume_ v_, GnoClusterBounds bounds_, bool cap
 // 0: no sample of the bounds is in the volume; 2: all of them are; 1: cannot tell.
 uint gnoClusterClassify_(GnoClusterVolume_ v_, GnoClusterBounds bounds_) {
     bool inside_ = true;
-    float margin_ = gnoClusterMargin_(v_, bounds_, true);
-    for (uint i_ = 0u; i_ < 4u; ++i_) {
-        vec4 plane_ = i_ == 0u ? v_.cap : i_ == 1u ? v_.ab : i_ == 2u ? v_.bc : v_.ca;
+    uint planes_ = GNO_CLUSTER_FRAME.extraPlanes == 0u ? 4u : 7u;
+    for (uint i_ = 0u; i_ < planes_; ++i_) {  // the cap first: it rejects most
+        vec4 plane_ = i_ == 0u ? v_.cap : i_ == 1u ? v_.ab : i_ == 2u ? v_.bc : i_ == 3u ? v_.ca : i_ == 4u ? v_.extraA : i_ == 5u ? v_.extraB : v_.extraC;
+        float margin_ = i_ < 4u ? gnoClusterMargin_(v_, bounds_, i_ == 0u) : 8.0 * GNO_BAND * bounds_.scale + bounds_.uncertain;
         GNO_COUNT(planeTests, 1u);
         vec2 range_ = gnoClusterRange(GNO_CLUSTER_FRAME, GNO_LIGHT, bounds_, plane_);
         if (range_.x > margin_) return 0u;
         inside_ = inside_ && range_.y < -margin_;
-        if (i_ == 0u) margin_ = gnoClusterMargin_(v_, bounds_, false);
-    }
-    if (inside_) return 2u;
-    if (GNO_CLUSTER_FRAME.extraPlanes == 0u) return 1u;
-    margin_ = 8.0 * GNO_BAND * bounds_.scale + bounds_.uncertain;
-    for (uint i_ = 0u; i_ < 3u; ++i_) {
-        GNO_COUNT(planeTests, 1u);
-        if (gnoClusterRange(GNO_CLUSTER_FRAME, GNO_LIGHT, bounds_, i_ == 0u ? v_.extraA : i_ == 1u ? v_.extraB : v_.extraC).x > margin_) return 0u;
+        if (inside_ && i_ == 3u) return 2u;
     }
     return 1u;
 }
@@ -144,10 +138,13 @@ GnoClusterBounds gnoClusterBoundsOf_(uint depth_, uint key_) {
     if (GNO_CLUSTER_FORM == GNO_CLUSTER_IMPLICIT) return gnoClusterCellOf_(depth_, key_, 0.0, 0.0);
     uint box_ = gnoClusterBoxIndex(depth_, key_);
     if (GNO_CLUSTER_FORM == GNO_CLUSTER_FLAT) return gnoClusterCellOf_(depth_, key_, GNO_CLUSTER_LOW[box_], GNO_CLUSTER_HIGH[box_]);
-    if (box_ == GNO_CLUSTER_NONE) return gnoClusterCellOf_(depth_, key_, 0.0, 0.0);
-    vec3 low_ = gnoClusterLow_(box_);
-    vec3 high_ = gnoClusterHigh_(box_);
-    if (low_.x > high_.x) return gnoClusterCellOf_(depth_, key_, 0.0, 0.0);
+    vec3 low_ = vec3(1.0);
+    vec3 high_ = vec3(-1.0);
+    if (box_ != GNO_CLUSTER_NONE) {
+        low_ = gnoClusterLow_(box_);
+        high_ = gnoClusterHigh_(box_);
+    }
+    if (GNO_CLUSTER_FORM == GNO_CLUSTER_COMPACT && low_.x > high_.x) return gnoClusterCellOf_(depth_, key_, 0.0, 0.0);
     return gnoClusterBox(GNO_LIGHT, low_, high_);
 }
 
@@ -241,39 +238,37 @@ bool gnoClusterLeave_(uint caster_, uint key_) {
     return subgroupBroadcastFirst(slot_) < GNO_CLUSTER_FRAME.jobCapacity;
 }
 
-// From the node at depth `start` on; jobs are left at depth `split`, 0: nowhere.
+// From the node at depth `start` on; jobs are left at depth `split`, 0: nowhere. Each turn opens one node, tests one cluster, or goes back up.
 void gnoClusterTraverse_(uint caster_, uint start_, uint key_, uint split_) {
     GnoClusterVolume_ v_ = gnoClusterLoadVolume_(caster_);
     gnoClusterSteps = 0u;
     if (v_.facing == 0) return;
     uint levels_ = GNO_CLUSTER_LAYOUT.levels;
-    if (start_ == levels_) {
-        ++gnoClusterSteps;
-        gnoClusterTest_(v_, key_);
-        return;
-    }
-    uint pending_[GNO_CLUSTER_MOST_LEVELS];
+    uint pending_[GNO_CLUSTER_MOST_LEVELS + 1u];
     uint depth_ = start_;
-    ++gnoClusterSteps;
-    pending_[depth_] = gnoClusterOpen_(v_, depth_, key_);
+    bool fresh_ = true;  // the node at depth_ was not looked at yet
     while (true) {
-        if (pending_[depth_] == 0u) {
+        if (fresh_) {
+            ++gnoClusterSteps;
+            pending_[depth_] = 0u;
+            if (depth_ == levels_) gnoClusterTest_(v_, key_);
+            else pending_[depth_] = gnoClusterOpen_(v_, depth_, key_);
+        }
+        fresh_ = pending_[depth_] != 0u;
+        if (fresh_) {
+            uint child_ = uint(findMSB(pending_[depth_]));
+            pending_[depth_] ^= 1u << child_;
+            uint childKey_ = (key_ << 5u) | child_;
+            if (depth_ + 1u == split_ && gnoClusterLeave_(caster_, childKey_)) {
+                fresh_ = false;
+            } else {
+                ++depth_;
+                key_ = childKey_;
+            }
+        } else {
             if (depth_ == start_) break;
             --depth_;
             key_ >>= 5u;
-            continue;
-        }
-        uint child_ = uint(findMSB(pending_[depth_]));
-        pending_[depth_] ^= 1u << child_;
-        uint childKey_ = (key_ << 5u) | child_;
-        if (depth_ + 1u == split_ && gnoClusterLeave_(caster_, childKey_)) continue;
-        ++gnoClusterSteps;
-        if (depth_ + 1u == levels_) {
-            gnoClusterTest_(v_, childKey_);
-        } else {
-            ++depth_;
-            key_ = childKey_;
-            pending_[depth_] = gnoClusterOpen_(v_, depth_, key_);
         }
     }
 }
