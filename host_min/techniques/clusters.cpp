@@ -51,7 +51,7 @@ public:
                 {"boxes", "entries of the list of boxes (compact); too few: some nodes fall back to implicit bounds", 1, 8388608, {}, "524288"});
         }
         info_.settings.push_back(
-            {"split", "depth at which the first pass leaves jobs for the second; off: one pass", 0, 0, {"off", "1", "2", "3", "4", "5", "6"}, "off"});
+            {"split", "depth at which the first pass leaves jobs for the second; off: one pass", 0, 0, {"off", "1", "2", "3", "4", "5", "6"}, "2"});
         info_.settings.push_back({"jobs", "entries of the job list; a job that finds it full is finished in place", 0, 16777216, {}, "1048576"});
         info_.settings.push_back({"planes",
                                   flat ? "cull by the volume's own planes, or by two silhouette edges as well"
@@ -82,7 +82,7 @@ public:
         const auto poison = [&] { visibility.clear(vk::ClearColorValue(kPoison, kPoison, kPoison, kPoison)); };
         poison();
         TechniqueResult result;
-        if (options.counters) count(hierarchy.count(visibility), choice, result);
+        if (options.counters) count(hierarchy.count(visibility), hierarchy.layout(), choice, result);
         poison();
         result.passes.push_back({inputs.casterSetUp().name, inputs.casterSetUp().ms});
         for (const PassTime& pass : measure(inputs.device(), options.repeat, options.warmUp, [&](Recording& r) { hierarchy.record(r, visibility); }))
@@ -94,18 +94,16 @@ public:
     }
 
 private:
-    static void count(const ClusterCounters& counters, const ClusterOptions& choice, TechniqueResult& result) {
+    static void count(const ClusterCounters& counters, const GnoClusterLayout& layout, const ClusterOptions& choice, TechniqueResult& result) {
         result.visitedNodes = counters.testsOfPixel;
         RecordCounters& totals = result.counters;
         totals.visitedNodes = counters.nodeTests;
         totals.exactCalls = counters.exactCalls;
         totals.testAndSet = counters.nodeTests + counters.leafTests;
         totals.stackOverflows = choice.split > 0 && counters.jobs > choice.jobCapacity ? counters.jobs - choice.jobCapacity : 0;
-        totals.more = {{"node_tests", counters.nodeTests},
-                       {"leaf_tests", counters.leafTests},
-                       {"plane_tests", counters.planeTests},
-                       {"accepted_nodes", counters.accepted},
-                       {"occupied_nodes", counters.occupiedNodes}};
+        totals.more = {{"node_tests", counters.nodeTests},         {"leaf_tests", counters.leafTests},
+                       {"plane_tests", counters.planeTests},       {"accepted_nodes", counters.accepted},
+                       {"occupied_nodes", counters.occupiedNodes}, {"tree_nodes", gnoClusterNodeCount(layout)}};
         if (choice.form == GNO_CLUSTER_COMPACT) {
             totals.more.push_back({"boxes", counters.boxes});
             totals.more.push_back({"boxes_missing", counters.boxes > choice.boxCapacity ? counters.boxes - choice.boxCapacity : 0});
