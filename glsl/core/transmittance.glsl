@@ -7,7 +7,7 @@
 //   ivec2 gnoHitTexel(uvec3 weights, GnoSurface s)                         texel coordinate of the hit point
 //   uvec4 gnoSampleTexture(GnoMaterial m, ivec2 at)                        filtered texel, 0 to 255 a channel; 255 each without a texture
 //   uvec3 gnoTransmitted(GnoMaterial m, uvec4 texel)                       what passes, 0 to 255 a channel
-//   uint  gnoContribution(uint transmitted)                                round(-log2(transmitted / 255) * 2^16), 0 to 523910; 0: GNO_TRANSMITTANCE_OPAQUE
+//   uint  gnoContribution(uint transmitted)                                round(-log2(transmitted / 255) * 2^16), 0 to 523918; 0: GNO_TRANSMITTANCE_OPAQUE
 //
 // Definition. A sample's contributions, of all casters but its own in whose shadow volume it lies, are added per channel; sums stop at
 // GNO_TRANSMITTANCE_OPAQUE = 16 * 2^16. The light that arrives is 2^(-sum / 2^16) of the light's; at the stop it is none. The sample is in shadow when all three

@@ -36,6 +36,7 @@ void checkQuestion(const OracleQuestion& q) {
     if (!q.isCaster.empty() && q.isCaster.size() != q.triangles.size()) {
         throw WorkError("the oracle was asked with a caster list whose length is not the number of triangles");
     }
+    if (!q.surfaceOf.empty()) oracle::checkSurfaces(q);
     if ((q.light.w != 0 && q.light.w != 1) || !onGrid(glm::vec3(q.light))) fail("a light that is not on the grid");
     if (q.light == glm::vec4(0)) throw WorkError("the oracle was asked about a directional light without a direction");
     for (size_t i = 0; i < q.triangles.size(); ++i) {
@@ -117,7 +118,6 @@ private:
     // Sums of contributions. A sum at kNoLight stays there whatever else is added: the tree need not be asked to its end.
     static void addUp(const OracleQuestion& question, const oracle::CasterTree& tree, const std::vector<int8_t>& facing, OracleAnswer& answer,
                       const std::function<void(double)>& progress) {
-        const oracle::Transmission transmission(question);
         answer.sums.assign(question.samples.size(), glm::uvec3(0));
         const auto work = [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) {
@@ -125,7 +125,7 @@ private:
                 const auto [p, own] = question.samples[i];
                 tree.any(oracle::ShadowSegment(p, question.light), [&](uint32_t t) {
                     if (t == own || !oracle::inShadowOf(question.triangles[t], question.light, p, facing[t])) return false;
-                    answer.sums[i] = glm::min(answer.sums[i] + transmission.of(t, p), glm::uvec3(kNoLight));
+                    answer.sums[i] = glm::min(answer.sums[i] + oracle::contributionOf(question, t, p), glm::uvec3(kNoLight));
                     return answer.sums[i] == glm::uvec3(kNoLight);
                 });
             }

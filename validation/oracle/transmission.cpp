@@ -111,7 +111,7 @@ uint32_t contribution(int64_t passed) {
     return passed == 0 ? kNoLight : uint32_t(std::lround(-std::log2(static_cast<long double>(passed) / 255) * 65536));
 }
 
-Transmission::Transmission(const OracleQuestion& q) : question_(q) {
+void checkSurfaces(const OracleQuestion& q) {
     const auto fail = [](const char* what) { throw WorkError(std::string("the oracle was asked with ") + what); };
     if (q.surfaceOf.size() != q.triangles.size()) fail("a list of surfaces whose length is not the number of triangles");
     if (q.look == nullptr) fail("surfaces without materials");
@@ -123,16 +123,16 @@ Transmission::Transmission(const OracleQuestion& q) : question_(q) {
         if (material.image >= int(q.look->images.size())) fail("a image that does not exist");
 }
 
-glm::uvec3 Transmission::of(uint32_t caster, glm::vec3 p) const {
-    const uint32_t number = question_.surfaceOf[caster];
+glm::uvec3 contributionOf(const OracleQuestion& question, uint32_t caster, glm::vec3 p) {
+    const uint32_t number = question.surfaceOf[caster];
     if (number == kOpaque) return glm::uvec3(kNoLight);
-    const Surface& surface = question_.surfaces[number];
-    const Material& material = question_.look->materials[surface.material];
+    const Surface& surface = question.surfaces[number];
+    const Material& material = question.look->materials[surface.material];
     std::array<int64_t, 4> texel{255, 255, 255, 255};
     if (material.image >= 0) {
-        const auto weights = hitWeights(question_.triangles[caster], question_.light, p);
+        const auto weights = hitWeights(question.triangles[caster], question.light, p);
         const auto& at = surface.corners;
-        texel = sampled(material, question_.look->images[size_t(material.image)], mean(weights, at[0].x, at[1].x, at[2].x),
+        texel = sampled(material, question.look->images[size_t(material.image)], mean(weights, at[0].x, at[1].x, at[2].x),
                         mean(weights, at[0].y, at[1].y, at[2].y));
     }
     const auto passed = passing(material, texel);

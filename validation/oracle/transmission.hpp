@@ -24,17 +24,10 @@ std::array<int64_t, 3> passing(const Material& material, const std::array<int64_
 /// round(-log2(passed / 255) * 2^16); kNoLight for 0.
 uint32_t contribution(int64_t passed);
 
-/// Contributions of casters to samples, for one question.
-class Transmission {
-public:
-    /// Throws WorkError when surfaces, materials or images are named that do not exist.
-    explicit Transmission(const OracleQuestion& question);
+/// Throws WorkError when a question's surfaces, materials or images name what does not exist.
+void checkSurfaces(const OracleQuestion& question);
 
-    /// Of triangle `caster`, in whose shadow volume p lies.
-    [[nodiscard]] glm::uvec3 of(uint32_t caster, glm::vec3 p) const;
-
-private:
-    const OracleQuestion& question_;
-};
+/// Contribution of triangle `caster` of the question to p, which lies in its shadow volume.
+glm::uvec3 contributionOf(const OracleQuestion& question, uint32_t caster, glm::vec3 p);
 
 }  // namespace gno::host::oracle
