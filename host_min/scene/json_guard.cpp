@@ -131,6 +131,8 @@ void pruneAndCheck(Json& value) {
         for (auto it = extensions->begin(); it != extensions->end();) it = isOneOf(kHandled, it.key()) ? std::next(it) : extensions->erase(it);
     }
     for (auto& [key, member] : value.items()) {
+        if (isOneOf(kHandled, key) && !member.is_object()) throw InputError(fmt::format("{} is not an object", key));
+        if (key == "KHR_texture_transform") continue;  // its scale and rotation are not a node's; Textures checks them
         checkMember(key, member);
         pruneAndCheck(member);
     }

@@ -46,24 +46,28 @@ Wrap wrapOf(int number, const std::string& what) {
     throw InputError(fmt::format("{}: wrap mode {} is not glTF", what, number));
 }
 
-double numberOf(const tinygltf::Value& value, double otherwise, const std::string& what) {
-    if (value.Type() == tinygltf::NULL_TYPE) return otherwise;
+double numberOf(const tinygltf::Value& value, const std::string& what) {
     const double number = value.IsNumber() ? value.GetNumberAsDouble() : NAN;
     if (!std::isfinite(number)) throw InputError(fmt::format("{} is not a finite number", what));
     return number;
 }
 
-glm::dvec2 pairOf(const tinygltf::Value& value, glm::dvec2 otherwise, const std::string& what) {
-    if (value.Type() == tinygltf::NULL_TYPE) return otherwise;
-    if (!value.IsArray() || value.ArrayLen() != 2) throw InputError(fmt::format("{} is not an array of 2 numbers", what));
-    return {numberOf(value.Get(0), 0, what), numberOf(value.Get(1), 0, what)};
+double memberOf(const tinygltf::Value& object, const char* key, double otherwise, const std::string& what) {
+    return object.Has(key) ? numberOf(object.Get(key), fmt::format("{} {}", what, key)) : otherwise;
+}
+
+glm::dvec2 pairOf(const tinygltf::Value& object, const char* key, glm::dvec2 otherwise, const std::string& what) {
+    if (!object.Has(key)) return otherwise;
+    const tinygltf::Value& value = object.Get(key);
+    if (!value.IsArray() || value.ArrayLen() != 2) throw InputError(fmt::format("{} {} is not an array of 2 numbers", what, key));
+    return {numberOf(value.Get(0), fmt::format("{} {}", what, key)), numberOf(value.Get(1), fmt::format("{} {}", what, key))};
 }
 
 /// Counter-clockwise in the image, after the scale: KHR_texture_transform.
 TextureTransform transformOf(const tinygltf::Value& extension, const std::string& what) {
-    const glm::dvec2 scale = pairOf(extension.Get("scale"), {1, 1}, what + " scale");
-    const double angle = numberOf(extension.Get("rotation"), 0, what + " rotation"), c = std::cos(angle), s = std::sin(angle);
-    return {{{c * scale.x, -s * scale.x}, {s * scale.y, c * scale.y}}, pairOf(extension.Get("offset"), {0, 0}, what + " offset")};
+    const glm::dvec2 scale = pairOf(extension, "scale", {1, 1}, what);
+    const double angle = memberOf(extension, "rotation", 0, what), c = std::cos(angle), s = std::sin(angle);
+    return {{{c * scale.x, -s * scale.x}, {s * scale.y, c * scale.y}}, pairOf(extension, "offset", {0, 0}, what)};
 }
 
 /// %20 and the like; what is no escape stays as it is.
@@ -103,7 +107,7 @@ void Textures::readMaterial(const tinygltf::Material& from, size_t index) {
     if (factor.size() != 4) throw InputError(fmt::format("{}: baseColorFactor does not have 4 numbers", what));
     for (int i = 0; i < 4; ++i) material.baseColor[i] = static_cast<float>(std::clamp(factor[static_cast<size_t>(i)], 0.0, 1.0));
     if (const auto found = from.extensions.find("KHR_materials_transmission"); found != from.extensions.end())
-        material.transmission = static_cast<float>(std::clamp(numberOf(found->second.Get("transmissionFactor"), 0, what + " transmissionFactor"), 0.0, 1.0));
+        material.transmission = static_cast<float>(std::clamp(memberOf(found->second, "transmissionFactor", 0, what), 0.0, 1.0));
     material.doubleSided = from.doubleSided;
     const tinygltf::TextureInfo& texture = from.pbrMetallicRoughness.baseColorTexture;
     material.textured = texture.index >= 0;
@@ -111,7 +115,7 @@ void Textures::readMaterial(const tinygltf::Material& from, size_t index) {
     place.set = texture.texCoord;
     if (const auto found = texture.extensions.find("KHR_texture_transform"); found != texture.extensions.end()) {
         place.transform = transformOf(found->second, what + " KHR_texture_transform");
-        place.set = static_cast<int>(numberOf(found->second.Get("texCoord"), place.set, what + " texCoord"));
+        place.set = static_cast<int>(std::clamp(memberOf(found->second, "texCoord", place.set, what), 0.0, 1e9));
     }
 }
 
