@@ -46,13 +46,15 @@ std::vector<Effect> effectsOf(const SceneFile& file, const Frame& frame, int lig
                            "--set cull=front may drop those of them that face the light"});
     if (closed < triangles)
         effects.push_back({"open_casters", fmt::format("{} of {} triangles do not", triangles - closed, triangles), "they cast from both sides and are never dropped by cull=front"});
-    uint64_t mask = 0, blend = 0;
-    for (const uint32_t index : frame.material) {
-        mask += file.materials()[index].alpha == Material::Alpha::mask;
-        blend += file.materials()[index].alpha == Material::Alpha::blend;
+    uint64_t mask = 0, coloured = 0;
+    for (const Surface& surface : frame.surfaces) {
+        const Material& material = frame.look->materials[surface.material];
+        mask += material.alpha == Material::Alpha::mask;
+        coloured += material.alpha == Material::Alpha::blend || material.transmission > 0;
     }
-    if (mask > 0) effects.push_back({"alpha_mask", fmt::format("{} triangles have an alpha-tested material", mask), "nothing in this build: they cast as opaque ones"});
-    if (blend > 0) effects.push_back({"alpha_blend", fmt::format("{} triangles have a blended material", blend), "nothing in this build: they cast as opaque ones"});
+    constexpr const char* kByMaterial = "techniques with this effect look up material and texture where the light crosses a caster; others take it for opaque";
+    if (mask > 0) effects.push_back({"alpha_tested_casters", fmt::format("{} triangles have an alpha-tested material", mask), kByMaterial});
+    if (coloured > 0) effects.push_back({"coloured_casters", fmt::format("{} triangles have a blended or transmitting material", coloured), kByMaterial});
     if (frame.facts.animations > 0)
         effects.push_back({"animation", fmt::format("{} animation{}, last keyframe at {:.2f} s", frame.facts.animations, frame.facts.animations > 1 ? "s" : "", file.lastKeyframe()),
                            "casters, camera and lights are evaluated anew for every --frame; structures are rebuilt every frame"});
@@ -72,7 +74,7 @@ void printEffects(const SceneFile& file, const Frame& frame) {
     if (frame.facts.zeroArea > 0) fmt::print("{} triangles have no area on the grid: neither visible nor casters\n", frame.facts.zeroArea);
     if (frame.facts.duplicates > 0) fmt::print("{} triangles stand there twice: kept\n", frame.facts.duplicates);
     if (frame.facts.pointOrLinePrimitives > 0) fmt::print("{} primitives of points or lines: they cast no shadow and are skipped\n", frame.facts.pointOrLinePrimitives);
-    for (const std::string& extension : frame.facts.ignoredExtensions) fmt::print("required extension {} concerns textures only: ignored\n", extension);
+    for (const std::string& extension : frame.facts.ignoredExtensions) fmt::print("required extension {} concerns textures and materials only: ignored\n", extension);
     for (const Effect& effect : effectsOf(file, frame, -1)) fmt::print("{:18} {}\n{:18} -> {}\n", effect.name, effect.because, "", effect.switchesOn);
     fmt::print("auto would run {}\n", chooseAutomatically(frame, Precision::certified).why);
 }

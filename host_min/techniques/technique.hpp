@@ -43,10 +43,11 @@ struct DumpedBuffer {
 };
 
 struct TechniqueResult {
-    std::vector<uint32_t> visibility;    ///< GNO_VISIBILITY_* per pixel
-    std::vector<uint32_t> visitedNodes;  ///< per pixel; empty where the technique has none, or without counters
-    std::vector<uint32_t> deepestStack;  ///< per pixel; the same
-    std::vector<RecordPass> passes;      ///< structure first
+    std::vector<uint32_t> visibility;      ///< GNO_VISIBILITY_* per pixel
+    std::vector<glm::uvec3> sums;          ///< per pixel, core/transmittance.glsl; shadow is where all three are kNoLight. Empty: every caster taken for opaque
+    std::vector<uint32_t> visitedNodes;    ///< per pixel; empty where the technique has none, or without counters
+    std::vector<uint32_t> deepestStack;    ///< per pixel; the same
+    std::vector<RecordPass> passes;        ///< structure first
     NamedNumbers bytes;
     RecordCounters counters;
     std::vector<DumpedBuffer> dump;

@@ -12,10 +12,16 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/core/counters.glsl"
 #include "gnomon/core/decide.glsl"
 #include "gnomon/core/decide.glsl"
+#include "gnomon/core/hit_weights.glsl"
+#include "gnomon/core/hit_weights.glsl"
 #include "gnomon/core/int128.glsl"
 #include "gnomon/core/int128.glsl"
 #include "gnomon/core/light.glsl"
 #include "gnomon/core/light.glsl"
+#include "gnomon/core/material.h"
+#include "gnomon/core/material.h"
+#include "gnomon/core/material_bindings.glsl"
+#include "gnomon/core/material_bindings.glsl"
 #include "gnomon/core/orient3d.glsl"
 #include "gnomon/core/orient3d.glsl"
 #include "gnomon/core/permutation.glsl"
@@ -26,6 +32,10 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/core/sample.glsl"
 #include "gnomon/core/shared_types.h"
 #include "gnomon/core/shared_types.h"
+#include "gnomon/core/transmittance.glsl"
+#include "gnomon/core/transmittance.glsl"
+#include "gnomon/core/transmittance_sum.glsl"
+#include "gnomon/core/transmittance_sum.glsl"
 #include "gnomon/top/bindings.glsl"
 #include "gnomon/top/bindings.glsl"
 #include "gnomon/top/build.glsl"
@@ -52,5 +62,6 @@ void main() {
     bool inserted = gnoTopInsert(gnoPermute(at, push.count, push.seed));
     GnoViewSample s = gnoMakeViewSample(gnoSnapToGrid(push.position.xyz), at, t, push.viewer, push.light);
     bool dark = gnoTopQueryStack(s) || gnoTopQueryStackless(s) || gnoTopQueryHybrid(s) || gnoDecideInShadow(push.light, t, s.position, GNO_PRECISION_CERTIFIED);
+    gnoAddTransmittance(at, gnoTransmittance(at, t, push.light, s.position));
     results.v[at] = uint(inserted) + uint(dark);
 }

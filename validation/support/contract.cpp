@@ -120,9 +120,9 @@ private:
             if (endsWith(module.path, ".glsl") && match[1] != guardOf(module) && !endsWith(match[1], "_") && !named(module, match[1]))
                 fault(module.path, "the header does not name the macro " + match[1].str());
         }
-        const bool bindings = endsWith(module.path, "/bindings.glsl");
+        const bool bindings = endsWith(module.path, "bindings.glsl");
         if (!bindings && std::find(module.code.begin(), module.code.end(), "layout") != module.code.end())
-            fault(module.path, "has a layout(; only bindings.glsl may");
+            fault(module.path, "has a layout(; only *bindings.glsl may");
     }
 
     static bool named(const Module& module, const std::string& name) {
