@@ -34,7 +34,7 @@
 // GNO_CLUSTER_BIAS                  no        0.00001525f               published only, grid units
 // GNO_CLUSTER_ON_LEAF_TEST(pixel)   no        nothing                   a statement that runs for each sample that is tested (to count them)
 // GNO_CLUSTER_ON_JOB(job)           no        nothing                   a statement that runs when a job is done; gnoClusterSteps holds its iterations
-// The macros of nodes.glsl.
+// The macros of nodes.glsl
 #ifndef GNO_CLUSTERS_TRAVERSE_GLSL
 #define GNO_CLUSTERS_TRAVERSE_GLSL
 #include "../core/counters.glsl"
