@@ -23,7 +23,7 @@
 // The flat form of 2011 has no slices and tiles of 8x4 pixels.
 //
 //   1024x1024   7 + 7 + 9 = 23 bits   5 levels   words 1, 8, 256, 8192, 262144   8,659,208 nodes          (section 3: 8.65 million)
-//   1920x1080   8 + 8 + 10            6 levels                                    69,273,668 nodes
+//   1920x1080   8 + 8 + 10            6 levels                                    69,273,666 nodes
 //   8192x8192   10 + 10 + 9           6 levels   (compact: 8) slices are coarser, so that an array of all words stays within a binding of 128 MiB
 //
 //   array      bytes                     written by                                        read by
