@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // gnomon clusters/bindings.glsl : our buffers of a cluster hierarchy; leave it out and define the macros yourself where your storage differs.
 //
-// Defines GNO_CLUSTER_FRAME, _LAYOUT, _HEADER, _SLICES, _MASKS, _SHADE, _LOW, _HIGH, _POINTERS, _VOLUMES, _INFO and _JOBS.
-//
+// Defines    GNO_CLUSTER_FRAME, GNO_CLUSTER_LAYOUT, GNO_CLUSTER_HEADER, GNO_CLUSTER_SLICES, GNO_CLUSTER_MASKS, GNO_CLUSTER_SHADE, GNO_CLUSTER_LOW, GNO_CLUSTER_HIGH,
+//            GNO_CLUSTER_POINTERS, GNO_CLUSTER_VOLUMES, GNO_CLUSTER_INFO, GNO_CLUSTER_JOBS
 // Space      as cluster.h
 // Stages     any with storage buffers
 // Requires   #version 450, no extension

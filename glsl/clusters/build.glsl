@@ -3,7 +3,7 @@
 // After Sintorn et al., I3D 2014, sections 2 ("Building the acceleration structure"), 2.1 and 2.3.
 //
 //   void  gnoClusterReset(uint index, uint count)         dispatch 1, invocation `index` of `count`: empties header, masks and shade
-//   void  gnoClusterMeasureDepth(GnoViewSample s, uint invocation)          dispatch 2, all GNO_CLUSTER_GROUP invocations of the work group: depths of its view samples
+//   void  gnoClusterMeasureDepth(GnoViewSample s, uint invocation)          dispatch 2, all invocations of a work group of any size: depths of its view samples
 //   float gnoClusterSliceAt(uint slice)                   dispatch 3: the table's entry for slice 0 .. slices, to be stored in GNO_CLUSTER_SLICES
 //   void  gnoClusterAddTile(uvec2 tile, uint invocation, GnoViewSample s, uint what)       one work group per tile, one invocation per pixel of it, row by row
 //   void  gnoClusterUp(uint depth, uint key, uint what)   for depth = levels - 1 down to 1, a dispatch each: one invocation per node of that depth
@@ -28,17 +28,13 @@
 // Macro                        required  default                   meaning
 // GNO_CLUSTER_HEADER           yes       -                         GnoClusterHeader in a storage buffer
 // GNO_CLUSTER_SHADE            yes       -                         array of uint, gnoClusterShadeWords
-// GNO_CLUSTER_GROUP            no        64u                       invocations of the work group of gnoClusterMeasureDepth, 1 to 64
-// The macros of nodes.glsl.
+// The macros of nodes.glsl
 #ifndef GNO_CLUSTERS_BUILD_GLSL
 #define GNO_CLUSTERS_BUILD_GLSL
 #include "bounds.glsl"
 #include "nodes.glsl"
 #if !defined(GNO_CLUSTER_HEADER) || !defined(GNO_CLUSTER_SHADE)
 #error "clusters/build.glsl: define GNO_CLUSTER_HEADER and GNO_CLUSTER_SHADE or include clusters/bindings.glsl before this file"
-#endif
-#ifndef GNO_CLUSTER_GROUP
-#define GNO_CLUSTER_GROUP 64u
 #endif
 
 const uint GNO_CLUSTER_MASKS_OF_NODES = 1u;

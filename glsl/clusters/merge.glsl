@@ -12,7 +12,7 @@
 //
 // Macro                        required  default                   meaning
 // GNO_CLUSTER_SHADE            yes       -                         array of uint, gnoClusterShadeWords
-// The macros of nodes.glsl.
+// The macros of nodes.glsl
 #ifndef GNO_CLUSTERS_MERGE_GLSL
 #define GNO_CLUSTERS_MERGE_GLSL
 #include "nodes.glsl"

@@ -9,6 +9,7 @@
 // of them is accepted (its bit is cleared: all its samples are in shadow; other volumes need not look at it again), the rest is pending. The walk is depth first, with one word of
 // pending children per level. At a cluster, the lanes test the tile's samples (the paper's way: all of the tile's, not only the cluster's) that are not dark yet.
 // Load balance: pass 1 goes down to depth frame.split and leaves (caster, node) in a list; pass 2 finishes it. A job that finds the list full is finished in place.
+// A caster that lets light through accepts no node: what it takes depends on where the light crosses it, sample by sample. It tests the cluster's own samples only, so that it meets each sample at most once.
 // Persistent threads: a subgroup takes its next job from a counter and waits for nobody; any number of work groups is right, one too.
 //
 // conservative, certified    a node is rejected or accepted only where the exact planes certainly say so (bounds.glsl, volume.glsl); a sample inside a plane's band is left
@@ -32,9 +33,13 @@
 // GNO_LOAD_CASTER(index)            yes       -                         GnoCaster
 // GNO_PRECISION                     no        GNO_PRECISION_CERTIFIED   rung of the ladder; the volumes must use the same
 // GNO_CLUSTER_BIAS                  no        0.00001525f               published only, grid units
+// GNO_CLUSTER_LAYERS                no        0                         1: some casters let light through
+// GNO_CLUSTER_IS_OPAQUE(caster)     no        true                      false: light passes caster in places; asked with GNO_CLUSTER_LAYERS 1
+// GNO_CLUSTER_LAYER(c, t, pixel, p) no        true                      bool: nothing passes caster c, whose triangle is t, towards sample p at uvec2 pixel; else what passes
+//                                                                       is noted by this expression (core/transmittance.glsl); asked once per such pair
 // GNO_CLUSTER_ON_LEAF_TEST(pixel)   no        nothing                   a statement that runs for each sample that is tested (to count them)
 // GNO_CLUSTER_ON_JOB(job)           no        nothing                   a statement that runs when a job is done; gnoClusterSteps holds its iterations
-// The macros of nodes.glsl.
+// The macros of nodes.glsl
 #ifndef GNO_CLUSTERS_TRAVERSE_GLSL
 #define GNO_CLUSTERS_TRAVERSE_GLSL
 #include "../core/counters.glsl"
@@ -60,6 +65,15 @@
 #ifndef GNO_CLUSTER_BIAS
 #define GNO_CLUSTER_BIAS 0.00001525f
 #endif
+#ifndef GNO_CLUSTER_LAYERS
+#define GNO_CLUSTER_LAYERS 0
+#endif
+#ifndef GNO_CLUSTER_IS_OPAQUE
+#define GNO_CLUSTER_IS_OPAQUE(caster_) true
+#endif
+#ifndef GNO_CLUSTER_LAYER
+#define GNO_CLUSTER_LAYER(c_, t_, pixel_, p_) true
+#endif
 #ifndef GNO_CLUSTER_ON_LEAF_TEST
 #define GNO_CLUSTER_ON_LEAF_TEST(pixel_)
 #endif
@@ -71,6 +85,7 @@ struct GnoClusterVolume_ {
     uint caster;
     int facing;
     float reach;
+    bool opaque;
     vec4 ab, bc, ca, cap;
     vec4 extraA, extraB, extraC;
 };
@@ -84,6 +99,11 @@ GnoClusterVolume_ gnoClusterLoadVolume_(uint caster_) {
     v_.caster = caster_;
     v_.facing = int(info_.x) - 1;
     v_.reach = uintBitsToFloat(info_.y);
+#if GNO_CLUSTER_LAYERS
+    v_.opaque = GNO_CLUSTER_IS_OPAQUE(caster_);
+#else
+    v_.opaque = true;
+#endif
     v_.ab = GNO_CLUSTER_VOLUMES[at_];
     v_.bc = GNO_CLUSTER_VOLUMES[at_ + 1u];
     v_.ca = GNO_CLUSTER_VOLUMES[at_ + 2u];
@@ -112,7 +132,7 @@ uint gnoClusterClassify_(GnoClusterVolume_ v_, GnoClusterBounds bounds_) {
         vec2 range_ = gnoClusterRange(GNO_CLUSTER_FRAME, GNO_LIGHT, bounds_, plane_);
         if (range_.x > margin_) return 0u;
         inside_ = inside_ && range_.y < -margin_;
-        if (inside_ && i_ == 3u) return 2u;
+        if (inside_ && i_ == 3u) return v_.opaque ? 2u : 1u;
     }
     return 1u;
 }
@@ -216,10 +236,17 @@ void gnoClusterTest_(GnoClusterVolume_ v_, uint key_) {
             if (bit_ < 32u && (dark_ & (1u << bit_)) == 0u && all(lessThan(pixel_, GNO_CLUSTER_FRAME.size))) {
                 GnoViewSample s_ = GNO_CLUSTER_LOAD_SAMPLE(ivec2(pixel_));
                 bool skip_ = GNO_PRECISION != GNO_PRECISION_PUBLISHED && s_.own == v_.caster;
+#if GNO_CLUSTER_LAYERS
+                if (!v_.opaque && s_.own <= GNO_NO_CASTER && GNO_CLUSTER_FORM != GNO_CLUSTER_FLAT)  // what passes is added up: not again from the tile's other clusters
+                    skip_ = skip_ || gnoClusterLeafKey(tile_, gnoClusterDepth(GNO_CLUSTER_FRAME, s_.position)) != key_;
+#endif
                 if (s_.own <= GNO_NO_CASTER && !skip_) {
                     GNO_COUNT(leafTests, 1u);
                     GNO_CLUSTER_ON_LEAF_TEST(pixel_);
                     inside_ = gnoClusterHolds_(v_, s_.position);
+#if GNO_CLUSTER_LAYERS
+                    if (inside_ && !v_.opaque) inside_ = GNO_CLUSTER_LAYER(v_.caster, GNO_LOAD_CASTER(v_.caster), pixel_, s_.position);
+#endif
                 }
             }
             found_ |= subgroupBallot(inside_).x << base_;

@@ -106,10 +106,14 @@ ClusterHierarchy::ClusterHierarchy(const FrameInputs& inputs, const ClusterOptio
 }
 
 const ComputePass& ClusterHierarchy::pass(const std::string& name, uint32_t what, uint32_t which) const {
-    const uint32_t tile = layout_.form == GNO_CLUSTER_FLAT ? 32 : 64;
-    return inputs_.passes().compute(
-        "clusters/examples/" + name,
-        {{0, uint32_t(options_.precision)}, {10, tile}, {20, layout_.form}, {21, what}, {22, which}, {23, options_.groups}});
+    // Only what the shader reads: a pipeline that differs in nothing is not compiled again.
+    Specialization constants{{20, layout_.form}};
+    if (name == "tiles.comp") constants[10] = layout_.form == GNO_CLUSTER_FLAT ? 32 : 64;
+    if (name == "tiles.comp" || name == "up.comp") constants[21] = what;
+    if (name.starts_with("traverse.comp")) constants[22] = which;
+    if (name.starts_with("traverse.comp") || name == "volumes.comp") constants[0] = uint32_t(options_.precision);
+    if (name == "finish_size.comp") constants[23] = options_.groups;
+    return inputs_.passes().compute("clusters/examples/" + name, constants);
 }
 
 std::vector<Binding> ClusterHierarchy::resources(const Image* visibility) const {

@@ -39,6 +39,9 @@ public:
     /// Records all passes of one frame, the answer included.
     void record(Recording& recording, const Image& visibility) const;
 
+    /// The hierarchy alone, without shadow volumes; record() holds it.
+    void recordBuild(Recording& recording) const;
+
     /// Runs the instrumented variant once, the answer included.
     [[nodiscard]] ClusterCounters count(const Image& visibility);
 
@@ -48,7 +51,6 @@ public:
 
 private:
     [[nodiscard]] std::vector<Binding> resources(const Image* visibility) const;
-    void recordBuild(Recording& recording) const;
     void recordSetUp(Recording& recording) const;
     void recordPass(Recording& recording, uint32_t which, bool counters) const;  ///< 1: expand, 2: finish
     void recordMerge(Recording& recording, const Image& visibility) const;
