@@ -14,7 +14,7 @@
 // Space      none: no positions
 // Stages     any with writable storage buffers (fragment stage: fragmentStoresAndAtomics)
 // Requires   #version 450, no extension. The buffer is all zero before the first addition
-// Reads      and writes GNO_TRANSMITTANCE_SUMS; atomic but for gnoIsDark and gnoTransmittanceSum
+// Reads      and writes GNO_TRANSMITTANCE_SUMS; atomic but for gnoTransmittanceSum
 //
 // Macro                         required  default  meaning
 // GNO_TRANSMITTANCE_SUMS        yes       -        uint array in a buffer (an l-value), 4 per pixel: three sums, and bits 0 to 2 where they are at the stop
@@ -27,7 +27,7 @@
 
 void gnoAddOpaque(uint pixel_) { atomicOr(GNO_TRANSMITTANCE_SUMS[4u * pixel_ + 3u], 7u); }
 
-bool gnoIsDark(uint pixel_) { return GNO_TRANSMITTANCE_SUMS[4u * pixel_ + 3u] == 7u; }
+bool gnoIsDark(uint pixel_) { return atomicOr(GNO_TRANSMITTANCE_SUMS[4u * pixel_ + 3u], 0u) == 7u; }  // others may set bits meanwhile
 
 // The bit that the channel has to set, if any.
 uint gnoAddChannel_(uint pixel_, uint channel_, uint contribution_) {
@@ -38,7 +38,7 @@ uint gnoAddChannel_(uint pixel_, uint channel_, uint contribution_) {
 }
 
 void gnoAddTransmittance(uint pixel_, uvec3 contribution_) {
-    uint stopped_ = GNO_TRANSMITTANCE_SUMS[4u * pixel_ + 3u];
+    uint stopped_ = atomicOr(GNO_TRANSMITTANCE_SUMS[4u * pixel_ + 3u], 0u);  // others may set bits meanwhile
     uint stop_ = 0u;
     if ((stopped_ & 1u) == 0u) stop_ |= gnoAddChannel_(pixel_, 0u, contribution_.x);
     if ((stopped_ & 2u) == 0u) stop_ |= gnoAddChannel_(pixel_, 1u, contribution_.y);

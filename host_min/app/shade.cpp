@@ -140,6 +140,13 @@ bool shade(const ShadeOptions& options) {
         throw InputError(fmt::format("--light {}: the scene has {} (0..{})", *options.light, lightCount, lightCount - 1));
     const Device device(DeviceOptions::fromEnvironment());
     checkSize(device.facts(), options.width, options.height);
+    for (const Technique* technique : chosen) {
+        const std::string missing = missingFor(technique->info(), device.facts());
+        if (missing.empty()) continue;
+        if (!options.allTechniques) throw InputError(fmt::format("technique {}: the device lacks {}", technique->info().name, missing));
+        leftOut += fmt::format("{}left out {}: the device lacks {}", leftOut.empty() ? "" : "\n", technique->info().name, missing);
+    }
+    std::erase_if(chosen, [&](const Technique* technique) { return !missingFor(technique->info(), device.facts()).empty(); });
     checkOutputs(options);
     PassCache passes(device);
     std::vector<Record> records;

@@ -18,13 +18,16 @@ const char* name(Precision precision);
 Precision precisionByName(const std::string& text);  ///< throws InputError that lists the rungs
 
 struct TechniqueInfo {
-    std::string name;   ///< of the command line, the record and the pictures
+    std::string name;  ///< of the command line, the record and the pictures
     std::string paper;
     std::vector<Precision> precisions;
     std::vector<SettingInfo> settings;
     std::vector<std::string> effects;  ///< what it can answer for: point_light, directional_light, ...
-    std::string needs;                 ///< device features beyond the host's own, by field name; empty: none
+    bool subgroupBallot = false;       ///< needs subgroup ballots in compute shaders, beyond what the host needs anyway
 };
+
+/// What the device lacks for this technique, by Vulkan's field name; empty: nothing.
+std::string missingFor(const TechniqueInfo& info, const DeviceFacts& device);
 
 struct RunOptions {
     Precision precision = Precision::certified;
