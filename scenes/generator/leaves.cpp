@@ -135,7 +135,8 @@ Draft buildLeaves(double detail, uint64_t seed) {
     }
     draft.placeOnce(std::move(crowns));
 
-    draft.camera([](double t) { return glm::dvec3(-3.5 + 6 * t, 3.4 + 0.6 * t, 8.2 - 0.8 * t); }, [](double t) { return glm::dvec3(-0.2 + 0.6 * t, 0.7, -0.4); });
+    draft.camera([](double t) { return glm::dvec3(-3.5 + 6 * t, 3.4 + 0.6 * t, 8.2 - 0.8 * t); },
+                 [](double t) { return glm::dvec3(-0.2 + 0.6 * t, 0.7, -0.4); });
     draft.pointLight({1, 0.95, 0.85}, 5.5, [](double t) { return glm::dvec3(-2.2 + 4.2 * t, 5.2, -5.4); });
     draft.sun({1, 0.96, 0.9}, [](double t) { return glm::dvec3(-0.5 + 0.9 * t, 0.85, -0.9); });
     return draft;

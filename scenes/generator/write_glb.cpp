@@ -117,10 +117,11 @@ public:
         }
         if (from.alphaMode == "MASK") out.alphaCutoff = static_cast<float>(from.cutoff);
         if (from.transmission > 0) {
-            out.extensions["KHR_materials_transmission"] =
-                tinygltf::Value(tinygltf::Value::Object{{"transmissionFactor", tinygltf::Value(static_cast<double>(static_cast<float>(from.transmission)))}});
+            out.extensions["KHR_materials_transmission"] = tinygltf::Value(
+                tinygltf::Value::Object{{"transmissionFactor", tinygltf::Value(static_cast<double>(static_cast<float>(from.transmission)))}});
             const std::string name = "KHR_materials_transmission";
-            if (std::find(file.extensionsUsed.begin(), file.extensionsUsed.end(), name) == file.extensionsUsed.end()) file.extensionsUsed.push_back(name);
+            if (std::find(file.extensionsUsed.begin(), file.extensionsUsed.end(), name) == file.extensionsUsed.end())
+                file.extensionsUsed.push_back(name);
         }
         file.materials.push_back(out);
     }

@@ -1,6 +1,6 @@
 # Alpha-tested and coloured casters: hit weights, texels, contributions and sums.
 gnomon_add_test(transmittance_test LIBRARIES gnomon_frame gnomon_oracle)
-gnomon_add_device_test(transmittance_device_test TIMEOUT 120)
+gnomon_add_device_test(transmittance_device_test LIBRARIES spirv-cross-core TIMEOUT 120)
 gnomon_test_shader(transmittance_device_test GNOMON_TRANSMITTANCE_SPIRV ${PROJECT_SOURCE_DIR}/validation/drop_in/core_transmittance_list.comp)
 gnomon_test_shader(transmittance_device_test GNOMON_TRANSMITTANCE_SUM_SPIRV ${PROJECT_SOURCE_DIR}/validation/drop_in/core_transmittance_sum_list.comp)
 gnomon_add_device_test(transmittance_scene_test RASTERISES TIMEOUT 300)

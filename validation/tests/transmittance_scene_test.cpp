@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The generated scene `leaves` from file to sums: loader, view samples, buffers and modules on the device, every caster against every sample, against the
-// oracle. No acceleration structure is part of it, so what fails here is not a technique's fault.
+// The generated scene `leaves` from file to sums: loader, view samples, buffers and modules on the device, every caster against every sample, against
+// the oracle. No acceleration structure is part of it, so what fails here is not a technique's fault.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -43,8 +43,12 @@ std::vector<glm::uvec3> sumsOnDevice(const host::FrameInputs& inputs, std::span<
     out.fill(0);
     static const host::ComputePass pass(device, test::readSpirv(GNOMON_TRANSMITTANCE_SCENE_SPIRV));
     const host::MaterialBuffers& buffers = inputs.materials();
-    const std::array resources{Binding{"gnoCasters", &inputs.casters()},  Binding{"gnoMaterialOf", &buffers.of()}, Binding{"gnoSurfaces", &buffers.surfaces()},
-                               Binding{"gnoMaterials", &buffers.list()},  Binding{"gnoTexels", &buffers.texels()}, Binding{"gnoTransmittances", &out},
+    const std::array resources{Binding{"gnoCasters", &inputs.casters()},
+                               Binding{"gnoMaterialOf", &buffers.of()},
+                               Binding{"gnoSurfaces", &buffers.surfaces()},
+                               Binding{"gnoMaterials", &buffers.list()},
+                               Binding{"gnoTexels", &buffers.texels()},
+                               Binding{"gnoTransmittances", &out},
                                Binding{"samples", &in}};
     const Push push{inputs.light(), inputs.triangleCount(), static_cast<uint32_t>(samples.size()), 5};
     const uint32_t groups = (push.casters * push.samples + 63) / 64;
