@@ -97,7 +97,7 @@ void printEffects(const SceneFile& file, const Frame& frame) {
         fmt::print("{} primitives of points or lines: they cast no shadow and are skipped\n", frame.facts.pointOrLinePrimitives);
     for (const std::string& extension : frame.facts.ignoredExtensions)
         fmt::print("required extension {} concerns textures and materials only: ignored\n", extension);
-    for (const Effect& effect : effectsOf(file, frame, -1)) fmt::print("{:18} {}\n{:18} -> {}\n", effect.name, effect.because, "", effect.switchesOn);
+    for (const Effect& effect : effectsOf(file, frame, -1)) fmt::print("{:20} {}\n{:20} -> {}\n", effect.name, effect.because, "", effect.switchesOn);
     fmt::print("auto would run {}\n", chooseAutomatically(frame, Precision::certified).why);
 }
 

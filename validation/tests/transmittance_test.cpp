@@ -65,7 +65,8 @@ TEST_P(EveryFamily, HasTheOraclesHitWeights) {
     EXPECT_GT(inShadow, 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(HitWeights, EveryFamily, testing::ValuesIn(questions::kFamilies), [](const auto& family) { return std::string(family.param.name); });
+INSTANTIATE_TEST_SUITE_P(HitWeights, EveryFamily, testing::ValuesIn(questions::kFamilies),
+                         [](const auto& family) { return std::string(family.param.name); });
 
 /// Seen along the segment from the light to p, the weighted vertices meet that segment: within the weights' own rounding.
 TEST(HitWeights, NameThePointWhereTheLightCrosses) {
@@ -86,7 +87,9 @@ TEST(HitWeights, SumOfTheLargestNumbersDoesNotOverflow) {
     // Corners of the cube of 1.5: determinants near 108 * 2^120.
     uint64_t large = 0;
     for (uint32_t bits = 0; bits < 1u << 15; ++bits) {
-        const auto corner = [&](uint32_t i) { return vec3((bits >> (3 * i)) & 1 ? 1.5f : -1.5f, (bits >> (3 * i + 1)) & 1 ? 1.5f : -1.5f, (bits >> (3 * i + 2)) & 1 ? 1.5f : -1.5f); };
+        const auto corner = [&](uint32_t i) {
+            return vec3((bits >> (3 * i)) & 1 ? 1.5f : -1.5f, (bits >> (3 * i + 1)) & 1 ? 1.5f : -1.5f, (bits >> (3 * i + 2)) & 1 ? 1.5f : -1.5f);
+        };
         const Question q{vec4(corner(0), 1), {corner(1), corner(2), corner(3)}, corner(4)};
         ASSERT_EQ(wide(gnoHitWeights(q.light, q.t, q.p)), reference(q));
         const exact::Vec p = exact::fixed(q.p), l = exact::fixed(vec3(q.light));
@@ -102,7 +105,8 @@ TEST(WeightedMean, IsTheFloorOfTheQuotient) {
     std::printf("seed 6\n");
     for (int i = 0; i < 300000; ++i) {
         const auto random = [&](int most) { return uint(bits() >> (64 - 1 - bits() % static_cast<uint64_t>(most))); };
-        const uvec3 w = min(uvec3(random(22), random(22), random(22)), uvec3((1u << 22) - 1)), v(random(32), random(32), i % 3 == 0 ? 0xFFFFFFFFu : random(32));
+        const uvec3 w = min(uvec3(random(22), random(22), random(22)), uvec3((1u << 22) - 1)),
+                    v(random(32), random(32), i % 3 == 0 ? 0xFFFFFFFFu : random(32));
         const uint64_t sum = uint64_t{w.x} + w.y + w.z;
         const exact::Int128 product = exact::Int128{w.x} * v.x + exact::Int128{w.y} * v.y + exact::Int128{w.z} * v.z;
         ASSERT_EQ(gnoWeightedMean(w, v), sum == 0 ? 0u : uint(product / static_cast<int64_t>(sum)));
