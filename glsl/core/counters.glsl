@@ -27,8 +27,12 @@ struct GnoCounters {
     uint buildSteps;      // nodes an insertion went through
     uint intersections;   // steps of an insertion into an intersection child
     uint dropped;         // insertions that ended inside another volume
+    uint nodeTests;       // nodes of a cluster hierarchy tested against a volume
+    uint planeTests;      // planes looked at for that
+    uint leafTests;       // view samples tested against a volume
+    uint accepted;        // nodes that lay wholly inside a volume
 };
-GnoCounters gnoCounters = GnoCounters(0u, 0u, 0u, 0u, 0u, 0u, 0u);
+GnoCounters gnoCounters = GnoCounters(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
 #define GNO_COUNT(member_, amount_) gnoCounters.member_ += (amount_)
 #define GNO_COUNT_MAX(member_, value_) gnoCounters.member_ = max(gnoCounters.member_, (value_))
 #else

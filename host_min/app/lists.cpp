@@ -27,6 +27,8 @@ void printTechniques() {
         std::vector<std::string> rungs;
         for (const Precision precision : info.precisions) rungs.emplace_back(name(precision));
         fmt::print("{:14} {}\n    precision {}; effects {}\n", info.name, info.paper, fmt::join(rungs, ", "), fmt::join(info.effects, ", "));
+        const std::string missing = missingFor(info, device);
+        if (!missing.empty()) fmt::print("    this device lacks {}\n", missing);
         printSettings(info.settings);
     }
     fmt::print("every technique\n");

@@ -39,26 +39,41 @@ double measureFloor(const FrameInputs& inputs, uint32_t repeat) {
     return times.front().ms;
 }
 
-OracleAnswer askOracle(Oracle& oracle, const FrameInputs& inputs, Progress& progress) {
+bool answersForMaterials(const TechniqueInfo& info) {
+    return std::any_of(info.effects.begin(), info.effects.end(), [](const std::string& effect) { return effect == "alpha_tested_casters" || effect == "coloured_casters"; });
+}
+
+/// `withSums`: some technique answers for casters that are not opaque.
+OracleAnswer askOracle(Oracle& oracle, const FrameInputs& inputs, bool withSums, Progress& progress) {
     const std::vector<uint8_t> casters = inputs.definitionCasters();
     std::vector<OracleSample> samples;
     samples.reserve(inputs.sampleCount());
     for (const OracleSample& pixel : inputs.pixels())
         if (pixel.own <= GNO_NO_CASTER) samples.push_back(pixel);
-    return oracle.ask({inputs.frame().triangles, casters, inputs.light(), samples}, [&](double fraction) {
+    OracleQuestion question{inputs.frame().triangles, casters, inputs.light(), samples};
+    if (withSums) {
+        question.surfaceOf = inputs.frame().surfaceOf;
+        question.surfaces = inputs.frame().surfaces;
+        question.look = inputs.frame().look.get();
+    }
+    return oracle.ask(question, [&](double fraction) {
         throwIfInterrupted();
         progress.show("oracle", fraction);
     });
 }
 
-RecordCheck compare(const std::vector<uint32_t>& visibility, const FrameInputs& inputs, const OracleAnswer& answer) {
+/// With sums, they have to be equal as well; then a wrong sample is a leak where too much light arrives, and false dark elsewhere.
+RecordCheck compare(const TechniqueResult& result, const FrameInputs& inputs, const OracleAnswer& answer) {
     RecordCheck check;
     size_t sample = 0;
-    for (size_t pixel = 0; pixel < visibility.size(); ++pixel) {
+    for (size_t pixel = 0; pixel < result.visibility.size(); ++pixel) {
         if (inputs.pixels()[pixel].own > GNO_NO_CASTER) continue;
-        const bool want = answer.inShadow[sample++] != 0;
+        const size_t i = sample++;
+        const bool dark = result.sums.empty() ? answer.inShadow[i] != 0 : answer.sums[i] == glm::uvec3(kNoLight);
+        const bool sameSums = result.sums.empty() || result.sums[pixel] == answer.sums[i];
         ++check.checked;
-        if (visibility[pixel] == (want ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT)) continue;
+        if (sameSums && result.visibility[pixel] == (dark ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT)) continue;
+        const bool want = sameSums ? dark : glm::any(glm::lessThan(result.sums[pixel], answer.sums[i]));
         ++check.wrong;
         check.leaks += want;
         check.falseDark += !want;
@@ -125,6 +140,13 @@ bool shade(const ShadeOptions& options) {
         throw InputError(fmt::format("--light {}: the scene has {} (0..{})", *options.light, lightCount, lightCount - 1));
     const Device device(DeviceOptions::fromEnvironment());
     checkSize(device.facts(), options.width, options.height);
+    for (const Technique* technique : chosen) {
+        const std::string missing = missingFor(technique->info(), device.facts());
+        if (missing.empty()) continue;
+        if (!options.allTechniques) throw InputError(fmt::format("technique {}: the device lacks {}", technique->info().name, missing));
+        leftOut += fmt::format("{}left out {}: the device lacks {}", leftOut.empty() ? "" : "\n", technique->info().name, missing);
+    }
+    std::erase_if(chosen, [&](const Technique* technique) { return !missingFor(technique->info(), device.facts()).empty(); });
     checkOutputs(options);
     PassCache passes(device);
     std::vector<Record> records;
@@ -145,7 +167,8 @@ bool shade(const ShadeOptions& options) {
             inputs.setLight(frame.lights.at(light).homogeneous, cull);
             const double floorMs = measureFloor(inputs, options.repeat);
             std::optional<OracleAnswer> answer;
-            if (oracle) answer = askOracle(*oracle, inputs, progress);
+            const bool withSums = inputs.hasMaterials() && std::any_of(chosen.begin(), chosen.end(), [](Technique* t) { return answersForMaterials(t->info()); });
+            if (oracle) answer = askOracle(*oracle, inputs, withSums, progress);
             StructureCache structures;
             FrameOutputs outputs(options, inputs, file, number, light);
             const size_t firstRecord = records.size();
@@ -159,7 +182,7 @@ bool shade(const ShadeOptions& options) {
                 record.light = light;
                 record.floorMs = floorMs;
                 for (const Effect& effect : effectsOf(file, frame, int(light))) record.effects.push_back(effect.name);
-                if (answer) record.check = compare(result.visibility, inputs, *answer);
+                if (answer) record.check = compare(result, inputs, *answer);
                 outputs.add(*technique, result, answer ? &*answer : nullptr);
                 records.push_back(std::move(record));
             }

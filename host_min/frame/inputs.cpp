@@ -138,6 +138,11 @@ ExamplePush FrameInputs::push(uint32_t seed) const {
     return {light_, viewer(), {width_, height_}, triangleCount(), seed, uint32_t(cull_), planeCount_};
 }
 
+const MaterialBuffers& FrameInputs::materials() const {
+    if (!materials_) materials_.emplace(device(), frame_);
+    return *materials_;
+}
+
 std::vector<uint8_t> FrameInputs::definitionCasters() const {
     if ((uint32_t(cull_) & uint32_t(Cull::front)) == 0) return {};
     std::vector<uint8_t> result(frame_.triangles.size(), 1);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "glsl/core/shared_types.h"
+#include "host_min/frame/materials.hpp"
 #include "host_min/oracle.hpp"
 #include "host_min/scene/scene.hpp"
 #include "host_min/vulkan/buffer.hpp"
@@ -54,6 +55,11 @@ public:
     [[nodiscard]] const Image& primitives() const { return primitives_; }
     [[nodiscard]] ExamplePush push(uint32_t seed = 0) const;
 
+    /// Some casters are alpha-tested or coloured; without them nobody makes buffers or pipelines for that.
+    [[nodiscard]] bool hasMaterials() const { return !frame_.surfaces.empty(); }
+    /// Made by the first call; hasMaterials() only. Throws InputError when a buffer would pass the device's limits.
+    [[nodiscard]] const MaterialBuffers& materials() const;
+
     /// One entry per pixel, as the techniques see it: own may be GNO_FACING_AWAY or GNO_BACKGROUND.
     [[nodiscard]] const std::vector<OracleSample>& pixels() const { return pixels_; }
     [[nodiscard]] uint64_t sampleCount() const { return sampleCount_; }
@@ -74,6 +80,7 @@ private:
     bool givenSamples_;
     Buffer casters_, states_, closed_, camera_, planes_;
     Image positions_, normals_, primitives_, depth_, samples_;
+    mutable std::optional<MaterialBuffers> materials_;
     glm::vec4 light_{0};
     Cull cull_ = Cull::none;
     uint32_t planeCount_ = 0;

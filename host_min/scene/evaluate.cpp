@@ -70,7 +70,8 @@ private:
         placeVertices(primitive, pose_.weights[instance.node], instance.world, instance.joints, world_);
         numbers_.resize(world_.size());
         for (size_t v = 0; v < world_.size(); ++v) numbers_[v] = welder_.number(frame_.grid.snap(world_[v]));
-        for (const glm::uvec3& t : primitive.triangles) {
+        for (size_t i = 0; i < primitive.triangles.size(); ++i) {
+            const glm::uvec3 t = primitive.triangles[i];
             const glm::uvec3 n{numbers_[t.x], numbers_[instance.isMirrored ? t.z : t.y], numbers_[instance.isMirrored ? t.y : t.z]};
             const std::vector<glm::vec3>& points = welder_.points();
             const Triangle triangle{points[n.x], points[n.y], points[n.z]};
@@ -82,7 +83,19 @@ private:
             kept_.push_back(static_cast<uint32_t>(welded_.size() - 1));
             frame_.triangles.push_back(triangle);
             frame_.material.push_back(primitive.material);
+            addSurface(primitive, i, instance.isMirrored);
         }
+    }
+
+    // Of the triangle that came last. The list of surfaces begins with the first triangle that is not opaque.
+    void addSurface(const PrimitiveData& primitive, size_t triangle, bool isMirrored) {
+        const bool isOpaque = primitive.corners.empty();
+        if (isOpaque && frame_.surfaceOf.empty()) return;
+        frame_.surfaceOf.resize(frame_.triangles.size(), kOpaque);
+        if (isOpaque) return;
+        frame_.surfaceOf.back() = static_cast<uint32_t>(frame_.surfaces.size());
+        Surface& surface = frame_.surfaces.emplace_back(Surface{primitive.corners[triangle], primitive.material});
+        if (isMirrored) std::swap(surface.corners[1], surface.corners[2]);
     }
 
     const SceneFile::Data& data_;
@@ -124,6 +137,7 @@ Frame evaluateFrame(const SceneFile::Data& data, double seconds, uint32_t camera
     frame.grid = Grid::around(box.low, box.high);
     Assembler(data, pose, frame).run();
     if (frame.triangles.empty()) throw InputError("no triangle has an area: nothing can cast a shadow");
+    if (!frame.surfaces.empty()) frame.look = data.look;
     frame.facts.duplicates = countDuplicates(frame.triangles);
     frame.lights = lightsAt(data, pose, frame.grid);
     frame.camera = cameraAt(data, pose, frame.grid, camera);

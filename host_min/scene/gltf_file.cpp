@@ -23,24 +23,6 @@ using Bytes = std::vector<unsigned char>;
 constexpr uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr size_t kHeader = 12, kChunkHeader = 8;
 
-Bytes readWholeFile(const fs::path& path) {
-    std::error_code error;
-    const auto status = fs::status(path, error);
-    if (!fs::exists(status)) throw InputError("no such file; check the path");
-    if (fs::is_directory(status)) throw InputError("is a folder; name a .glb or .gltf file");
-    if (!fs::is_regular_file(status)) throw InputError("is not a regular file; name a .glb or .gltf file");
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    const auto size = fs::file_size(path, error);
-    if (!file || error) throw InputError(fmt::format("cannot be opened: {}", std::strerror(errno)));
-    if (size == 0) throw InputError("is empty");
-    if (size > std::numeric_limits<uint32_t>::max()) throw InputError("is larger than 4 GiB");
-    Bytes bytes(size);
-    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-    if (static_cast<uintmax_t>(file.gcount()) != size) throw InputError("cannot be read to its end");
-    return bytes;
-}
-
 uint32_t wordAt(const Bytes& bytes, size_t offset) {  // little endian
     return static_cast<uint32_t>(bytes[offset]) | static_cast<uint32_t>(bytes[offset + 1]) << 8 | static_cast<uint32_t>(bytes[offset + 2]) << 16 |
            static_cast<uint32_t>(bytes[offset + 3]) << 24;
@@ -121,7 +103,27 @@ tinygltf::TinyGLTF makeReader(std::string& folder) {
 
 }  // namespace
 
-tinygltf::Model openGltf(const fs::path& path, std::vector<std::string>& ignored) {
+std::vector<unsigned char> readWholeFile(const fs::path& path) {
+    std::error_code error;
+    const auto status = fs::status(path, error);
+    if (!fs::exists(status)) throw InputError("no such file; check the path");
+    if (fs::is_directory(status)) throw InputError("is a folder; name a .glb or .gltf file");
+    if (!fs::is_regular_file(status)) throw InputError("is not a regular file; name a .glb or .gltf file");
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    const auto size = fs::file_size(path, error);
+    if (!file || error) throw InputError(fmt::format("cannot be opened: {}", std::strerror(errno)));
+    if (size == 0) throw InputError("is empty");
+    if (size > std::numeric_limits<uint32_t>::max()) throw InputError("is larger than 4 GiB");
+    Bytes bytes(size);
+    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+    if (static_cast<uintmax_t>(file.gcount()) != size) throw InputError("cannot be read to its end");
+    return bytes;
+}
+
+fs::path folderOf(const fs::path& model) { return model.has_parent_path() ? model.parent_path() : fs::path("."); }
+
+tinygltf::Model openGltf(const fs::path& path, std::vector<std::string>& ignored, nlohmann::json& textureLists) {
     const Bytes bytes = readWholeFile(path);
     const bool isGlb = bytes.size() >= 4 && wordAt(bytes, 0) == kMagic;
     const std::string_view all = view(bytes, 0, bytes.size());
@@ -132,8 +134,8 @@ tinygltf::Model openGltf(const fs::path& path, std::vector<std::string>& ignored
     std::string error, warning;
     bool done = false;
     const Chunks chunks = isGlb ? splitGlb(bytes) : Chunks{all, {}};
-    const std::string json = guardJson(chunks.json, ignored);
-    std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+    const std::string json = guardJson(chunks.json, ignored, textureLists);
+    std::string folder = folderOf(path).string();
     try {
         auto reader = makeReader(folder);
         if (isGlb) {

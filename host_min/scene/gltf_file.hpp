@@ -4,13 +4,20 @@
 #include <tiny_gltf.h>
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 namespace gno::host {
 
 /// Reads a .glb or .gltf file (told apart by their first bytes) with its buffers; images are left alone.
-/// Throws InputError without the path in its text. `ignored`: see guardJson.
-tinygltf::Model openGltf(const std::filesystem::path& path, std::vector<std::string>& ignored);
+/// Throws InputError without the path in its text. `ignored` and `textureLists`: see guardJson.
+tinygltf::Model openGltf(const std::filesystem::path& path, std::vector<std::string>& ignored, nlohmann::json& textureLists);
+
+/// Where the files lie that a model refers to.
+std::filesystem::path folderOf(const std::filesystem::path& model);
+
+/// Throws InputError without the path in its text: no such file, not a regular one, empty, larger than 4 GiB, not readable.
+std::vector<unsigned char> readWholeFile(const std::filesystem::path& path);
 
 }  // namespace gno::host

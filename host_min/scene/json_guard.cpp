@@ -46,7 +46,8 @@ bool changesNoGeometry(std::string_view name) {
     return name == "MSFT_texture_dds" || std::any_of(prefixes.begin(), prefixes.end(), [&](auto p) { return name.starts_with(p); });
 }
 
-const Names kHandled{"KHR_lights_punctual", "KHR_mesh_quantization", "EXT_mesh_gpu_instancing"};
+const Names kHandled{"KHR_lights_punctual", "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_materials_transmission",
+                     "KHR_texture_transform"};
 
 void checkRequiredExtensions(const Json& root, std::vector<std::string>& ignored) {
     const auto required = root.find("extensionsRequired");
@@ -93,7 +94,8 @@ void checkNumbers(const Json& value, std::string_view what, size_t length) {
 void checkMember(std::string_view key, const Json& value) {
     static const Names whole{
         "buffer",   "bufferView", "byteLength", "byteOffset", "byteStride", "count",  "componentType",       "mesh",     "skin",  "camera",
-        "material", "mode",       "sampler",    "node",       "input",      "output", "inverseBindMatrices", "skeleton", "scene", "light"};
+        "material", "mode",       "sampler",    "node",       "input",      "output", "inverseBindMatrices", "skeleton", "scene", "light",
+        "index",    "texCoord"};
     static const Names lists{"accessors", "animations", "buffers",    "bufferViews", "cameras", "channels", "lights",
                              "materials", "meshes",     "primitives", "samplers",    "scenes",  "skins"};
     if (isOneOf(whole, key)) checkWhole(value, key);
@@ -123,13 +125,16 @@ void pruneAndCheck(Json& value) {
         return;
     }
     if (!value.is_object()) return;
-    for (const char* key : {"extras", "normalTexture", "occlusionTexture", "emissiveTexture", "metallicRoughnessTexture", "min", "max"})
+    for (const char* key :
+         {"extras", "normalTexture", "occlusionTexture", "emissiveTexture", "metallicRoughnessTexture", "transmissionTexture", "min", "max"})
         value.erase(key);
     if (const auto extensions = value.find("extensions"); extensions != value.end()) {
         if (!extensions->is_object()) throw InputError("extensions is not an object");
         for (auto it = extensions->begin(); it != extensions->end();) it = isOneOf(kHandled, it.key()) ? std::next(it) : extensions->erase(it);
     }
     for (auto& [key, member] : value.items()) {
+        if (isOneOf(kHandled, key) && !member.is_object()) throw InputError(fmt::format("{} is not an object", key));
+        if (key == "KHR_texture_transform") continue;  // its scale and rotation are not a node's; Textures checks them
         checkMember(key, member);
         pruneAndCheck(member);
     }
@@ -137,7 +142,7 @@ void pruneAndCheck(Json& value) {
 
 }  // namespace
 
-std::string guardJson(std::string_view text, std::vector<std::string>& ignored) {
+std::string guardJson(std::string_view text, std::vector<std::string>& ignored, Json& textureLists) {
     checkDepth(text);
     Json root;
     try {
@@ -149,7 +154,13 @@ std::string guardJson(std::string_view text, std::vector<std::string>& ignored) 
     checkVersion(root);
     checkRequiredExtensions(root, ignored);
     // Top-level lists of textures; animations[].samplers is another thing and stays.
-    for (const char* key : {"images", "textures", "samplers"}) root.erase(key);
+    textureLists = Json::object();
+    for (const char* key : {"images", "textures", "samplers"}) {
+        const auto found = root.find(key);
+        if (found == root.end()) continue;
+        textureLists[key] = std::move(*found);
+        root.erase(found);
+    }
     pruneAndCheck(root);
     return root.dump();
 }

@@ -83,12 +83,42 @@ std::vector<glm::uvec3> readTriangles(const tinygltf::Primitive& primitive, cons
     return triangles;
 }
 
-PrimitiveData loadPrimitive(const tinygltf::Primitive& primitive, Accessors& accessors, uint64_t& displacements, const std::string& what) {
+// Texel coordinates of a primitive's triangles, for a material that is not opaque; all 0 where it has no image.
+std::vector<std::array<glm::ivec2, 3>> readCorners(const tinygltf::Primitive& primitive, Accessors& accessors, const Textures& textures,
+                                                   uint32_t material, const std::vector<glm::uvec3>& triangles, size_t vertexCount,
+                                                   const std::string& what) {
+    std::vector<std::array<glm::ivec2, 3>> corners(triangles.size());
+    if (textures.material(material).image < 0) return corners;
+    const std::string name = fmt::format("TEXCOORD_{}", textures.coordinateSet(material));
+    const int index = attribute(primitive.attributes, name.c_str());
+    if (index < 0) throw InputError(fmt::format("{} lacks {}, which its material {} needs", what, name, material));
+    const std::vector<double>& uv = accessors.values(index, TINYGLTF_TYPE_VEC2, what + " " + name);
+    if (uv.size() != vertexCount * 2) throw InputError(fmt::format("{}: {} has {} entries for {} vertices", what, name, uv.size() / 2, vertexCount));
+    for (size_t i = 0; i < triangles.size(); ++i) {
+        const auto at = [&](uint32_t vertex) { return glm::dvec2(uv[size_t{vertex} * 2], uv[size_t{vertex} * 2 + 1]); };
+        const std::array<glm::dvec2, 3> three{at(triangles[i].x), at(triangles[i].y), at(triangles[i].z)};
+        for (const glm::dvec2& one : three)
+            if (!(std::abs(one.x) <= kLargestNumber && std::abs(one.y) <= kLargestNumber))
+                throw InputError(fmt::format("{}: {} is not finite", what, name));
+        try {
+            corners[i] = textures.corners(material, three);
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("{}: {}", what, error.what()));
+        }
+    }
+    return corners;
+}
+
+PrimitiveData loadPrimitive(const tinygltf::Primitive& primitive, Accessors& accessors, Textures& textures, uint64_t& displacements,
+                            const std::string& what) {
     const int position = attribute(primitive.attributes, "POSITION");
     const std::vector<double>& positions = accessors.values(position, TINYGLTF_TYPE_VEC3, what + " POSITION");
     const size_t vertexCount = positions.size() / 3;
     PrimitiveData result;
     result.triangles = readTriangles(primitive, accessors, vertexCount, what);
+    result.material = textures.use(primitive.material);
+    if (!textures.material(result.material).isOpaque())
+        result.corners = readCorners(primitive, accessors, textures, result.material, result.triangles, vertexCount, what);
     const std::vector<uint32_t> kept = keepUsed(result.triangles, vertexCount, what);
     result.positions = gather(positions, kept, what);
     displacements += uint64_t{kept.size()} * primitive.targets.size();
@@ -114,7 +144,7 @@ PrimitiveData loadPrimitive(const tinygltf::Primitive& primitive, Accessors& acc
 
 }  // namespace
 
-MeshData loadMesh(const tinygltf::Model& model, size_t index, Accessors& accessors) {
+MeshData loadMesh(const tinygltf::Model& model, size_t index, Accessors& accessors, Textures& textures) {
     const tinygltf::Mesh& mesh = model.meshes[index];
     MeshData result;
     for (size_t i = 0; i < mesh.primitives.size(); ++i) {
@@ -133,9 +163,7 @@ MeshData loadMesh(const tinygltf::Model& model, size_t index, Accessors& accesso
             result.targetCount = primitive.targets.size();
         else if (result.targetCount != primitive.targets.size())
             throw InputError(fmt::format("{} has {} morph targets, others of its mesh have {}", what, primitive.targets.size(), result.targetCount));
-        result.primitives.push_back(loadPrimitive(primitive, accessors, result.displacements, what));
-        result.primitives.back().material =
-            static_cast<uint32_t>(primitive.material < 0 ? model.materials.size() : static_cast<size_t>(primitive.material));
+        result.primitives.push_back(loadPrimitive(primitive, accessors, textures, result.displacements, what));
         result.triangleCount += result.primitives.back().triangles.size();
         if (result.triangleCount > kMostTriangles) throw InputError(fmt::format("mesh {} has more than {} triangles", index, kMostTriangles));
     }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "host_min/error.hpp"
 #include "host_min/scene/gltf_file.hpp"
@@ -13,20 +14,6 @@
 namespace gno::host {
 
 namespace {
-
-Material readMaterial(const tinygltf::Material& from, size_t index) {
-    Material material;
-    material.name = oneLine(from.name);
-    if (from.alphaMode == "MASK") material.alpha = Material::Alpha::mask;
-    if (from.alphaMode == "BLEND") material.alpha = Material::Alpha::blend;
-    material.alphaCutoff = static_cast<float>(from.alphaCutoff);
-    const auto& factor = from.pbrMetallicRoughness.baseColorFactor;
-    if (factor.size() != 4) throw InputError(fmt::format("material {}: baseColorFactor does not have 4 numbers", index));
-    for (int i = 0; i < 4; ++i) material.baseColor[i] = static_cast<float>(std::clamp(factor[static_cast<size_t>(i)], 0.0, 1.0));
-    material.textured = from.pbrMetallicRoughness.baseColorTexture.index >= 0;
-    material.doubleSided = from.doubleSided;
-    return material;
-}
 
 void countTriangles(SceneFile::Data& data) {
     for (const uint32_t i : data.meshNodes) {
@@ -43,19 +30,20 @@ void countTriangles(SceneFile::Data& data) {
 std::unique_ptr<SceneFile::Data> loadData(const std::filesystem::path& path) {
     auto data = std::make_unique<SceneFile::Data>();
     data->path = path;
-    const tinygltf::Model model = openGltf(path, data->facts.ignoredExtensions);
+    nlohmann::json textureLists;
+    const tinygltf::Model model = openGltf(path, data->facts.ignoredExtensions, textureLists);
     Accessors accessors(model);
-    for (size_t i = 0; i < model.materials.size(); ++i) data->materials.push_back(readMaterial(model.materials[i], i));
-    data->materials.emplace_back().name = "default";
+    Textures textures(model, textureLists, folderOf(path));
     uint64_t triangles = 0, displacements = 0;
     for (size_t i = 0; i < model.meshes.size(); ++i) {
-        data->meshes.push_back(loadMesh(model, i, accessors));
+        data->meshes.push_back(loadMesh(model, i, accessors, textures));
         triangles += data->meshes.back().triangleCount;
         displacements += data->meshes.back().displacements;
         if (triangles > kMostTriangles) throw InputError(fmt::format("the file has more than {} triangles", kMostTriangles));
         if (displacements > kMostDisplacements) throw InputError("the file has too many morph targets");
         data->facts.morphTargets += static_cast<uint32_t>(data->meshes.back().targetCount);
     }
+    data->look = textures.take();
     data->skins = loadSkins(model, accessors);
     loadLightsAndCameras(model, *data);
     loadNodes(model, accessors, *data);
@@ -93,7 +81,7 @@ SceneFile SceneFile::load(const std::filesystem::path& path) {
 }
 
 const std::filesystem::path& SceneFile::path() const { return data_->path; }
-const std::vector<Material>& SceneFile::materials() const { return data_->materials; }
+const std::vector<Material>& SceneFile::materials() const { return data_->look->materials; }
 uint32_t SceneFile::cameraCount() const { return std::max(1u, data_->facts.camerasInFile); }
 uint32_t SceneFile::lightCount() const { return data_->lightNodes.empty() ? 2u : data_->facts.lightsInFile; }
 

@@ -11,22 +11,13 @@
 #include <glm/glm.hpp>
 
 #include "host_min/scene/grid.hpp"
+#include "host_min/scene/material.hpp"
 
 namespace gno::host {
 
 /// A caster: three vertices on the grid, counter-clockwise seen from its front. A node with a negative determinant has its winding flipped.
 struct Triangle {
     glm::vec3 a, b, c;
-};
-
-struct Material {
-    enum class Alpha { opaque, mask, blend };
-    std::string name;
-    Alpha alpha = Alpha::opaque;
-    float alphaCutoff = 0.5f;
-    glm::vec4 baseColor{0.8f, 0.8f, 0.8f, 1.0f};  ///< linear, glTF baseColorFactor
-    bool textured = false;                        ///< has a base colour texture (its texels are not read yet)
-    bool doubleSided = false;
 };
 
 struct Light {
@@ -65,7 +56,7 @@ struct SceneFacts {
     uint64_t closedTriangles = 0;      ///< triangles of closed, consistently oriented meshes
     uint32_t objects = 0;              ///< mesh instances
     uint32_t lightsInFile = 0, camerasInFile = 0, animations = 0, skins = 0, morphTargets = 0;
-    std::vector<std::string> ignoredExtensions;  ///< required by the file, but texture-only
+    std::vector<std::string> ignoredExtensions;  ///< required by the file; they concern textures and materials only, and are not read
 };
 
 /// One frame of a scene. All vectors with one entry per triangle have the same length and order.
@@ -74,6 +65,9 @@ struct Frame {
     std::vector<Triangle> triangles;   ///< on the grid, none with zero area
     std::vector<uint32_t> material;    ///< index into SceneFile::materials()
     std::vector<uint32_t> object;      ///< index of the mesh instance
+    std::vector<uint32_t> surfaceOf;   ///< index into surfaces, or kOpaque; empty when all triangles are opaque
+    std::vector<Surface> surfaces;     ///< of the triangles that are not
+    std::shared_ptr<const MaterialSet> look;  ///< what surfaces refer to; null when all triangles are opaque
     std::vector<uint8_t> closed;       ///< 1: the triangle belongs to a closed, consistently oriented mesh (front-face culling is legal)
     std::vector<Light> lights;         ///< at least one
     Camera camera;                     ///< the chosen one
@@ -87,7 +81,8 @@ inline constexpr double kFramesPerSecond = 30.0;
 class SceneFile {
 public:
     /// Throws InputError: missing, truncated, not glTF, an accessor or index out of bounds, a required extension that changes geometry,
-    /// no triangle at all, a position that is not finite.
+    /// no triangle at all, a position that is not finite; an image that cannot be read, or missing texture coordinates, of a material that
+    /// is not opaque.
     static SceneFile load(const std::filesystem::path& path);
 
     SceneFile(SceneFile&&) noexcept;

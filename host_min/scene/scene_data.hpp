@@ -12,6 +12,7 @@
 
 #include "host_min/scene/accessors.hpp"
 #include "host_min/scene/scene.hpp"
+#include "host_min/scene/textures.hpp"
 
 namespace gno::host {
 
@@ -42,6 +43,7 @@ struct PrimitiveData {
     std::vector<Influence> influences;
     uint32_t jointCount = 0;  ///< largest joint index + 1
     uint32_t material = 0;
+    std::vector<std::array<glm::ivec2, 3>> corners;  ///< texel coordinates, one entry per triangle; empty for opaque materials
 };
 
 struct MeshData {
@@ -90,7 +92,7 @@ struct Pose {
 
 struct SceneFile::Data {
     std::filesystem::path path;
-    std::vector<Material> materials;
+    std::shared_ptr<const MaterialSet> look;
     std::vector<MeshData> meshes;
     std::vector<NodeData> nodes;
     std::vector<uint32_t> order;  ///< all nodes, parents first
@@ -104,7 +106,7 @@ struct SceneFile::Data {
 };
 
 // meshes.cpp
-MeshData loadMesh(const tinygltf::Model& model, size_t mesh, Accessors& accessors);
+MeshData loadMesh(const tinygltf::Model& model, size_t mesh, Accessors& accessors, Textures& textures);
 // nodes.cpp: fills nodes, order, meshNodes, lightNodes and cameraNodes
 void loadNodes(const tinygltf::Model& model, Accessors& accessors, SceneFile::Data& data);
 /// The matrix of a node with these parts.

@@ -8,7 +8,8 @@
 
 namespace gno::host {
 
-/// Records and submits `record` once to warm up (when `warmUp`) and `repeat` times (>= 1); per pass the median time. The state after the last run stays.
+/// Records and submits `record` once to warm up (when `warmUp`) and `repeat` times (>= 1); per pass the median time. The state after the last run
+/// stays.
 std::vector<PassTime> measure(const Device& device, uint32_t repeat, bool warmUp, const std::function<void(Recording&)>& record);
 
 }  // namespace gno::host

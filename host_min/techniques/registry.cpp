@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "host_min/error.hpp"
+#include "host_min/techniques/clusters.hpp"
 #include "host_min/techniques/technique.hpp"
 #include "host_min/techniques/top.hpp"
 
@@ -14,15 +15,19 @@ const std::vector<std::unique_ptr<Technique>>& techniques() {
     static const auto list = [] {
         std::vector<std::unique_ptr<Technique>> made;
         for (const TopQuery query : {TopQuery::psv, TopQuery::dPsv, TopQuery::dStackless, TopQuery::dHybrid}) made.push_back(makeTopTechnique(query));
+        made.push_back(makeClusterTechnique(false));
+        made.push_back(makeClusterTechnique(true));
         return made;
     }();
     return list;
 }
 
+std::string missingFor(const TechniqueInfo& info, const DeviceFacts& device) {
+    return info.subgroupBallot && !device.subgroupBallot ? "VkPhysicalDeviceSubgroupProperties::supportedOperations: VK_SUBGROUP_FEATURE_BALLOT_BIT in compute shaders" : "";
+}
+
 const std::vector<std::pair<std::string, std::string>>& plannedTechniques() {
     static const std::vector<std::pair<std::string, std::string>> list{
-        {"ptsv", "per-triangle shadow volumes with a view-sample cluster hierarchy, 2014"},
-        {"ptsv-2011", "the same with the two-dimensional hierarchy of 2011"},
         {"zpass", "stencil shadow volumes, depth pass"},
         {"zfail", "stencil shadow volumes, depth fail"},
         {"zp+", "stencil shadow volumes, ZP+"},

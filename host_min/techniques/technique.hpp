@@ -18,13 +18,16 @@ const char* name(Precision precision);
 Precision precisionByName(const std::string& text);  ///< throws InputError that lists the rungs
 
 struct TechniqueInfo {
-    std::string name;   ///< of the command line, the record and the pictures
+    std::string name;  ///< of the command line, the record and the pictures
     std::string paper;
     std::vector<Precision> precisions;
     std::vector<SettingInfo> settings;
     std::vector<std::string> effects;  ///< what it can answer for: point_light, directional_light, ...
-    std::string needs;                 ///< device features beyond the host's own, by field name; empty: none
+    bool subgroupBallot = false;       ///< needs subgroup ballots in compute shaders, beyond what the host needs anyway
 };
+
+/// What the device lacks for this technique, by Vulkan's field name; empty: nothing.
+std::string missingFor(const TechniqueInfo& info, const DeviceFacts& device);
 
 struct RunOptions {
     Precision precision = Precision::certified;
@@ -41,7 +44,9 @@ struct DumpedBuffer {
 
 struct TechniqueResult {
     std::vector<uint32_t> visibility;      ///< GNO_VISIBILITY_* per pixel
+    std::vector<glm::uvec3> sums;          ///< per pixel, core/transmittance.glsl; shadow is where all three are kNoLight. Empty: every caster taken for opaque
     std::vector<uint32_t> visitedNodes;    ///< per pixel; empty where the technique has none, or without counters
+    std::vector<uint32_t> sampleTests;     ///< per pixel: how often it was tested against a shadow volume; the same
     std::vector<uint32_t> deepestStack;    ///< per pixel; the same
     std::vector<RecordPass> passes;        ///< structure first
     NamedNumbers bytes;

@@ -11,7 +11,7 @@ namespace gno::host {
 
 struct TopTreeOptions {
     Precision precision = Precision::certified;
-    uint32_t seed = 1;       ///< of the insertion order
+    uint32_t seed = 1;  ///< of the insertion order
     uint32_t groupSize = kTopGroupSize;
     uint32_t repeat = 1;
     bool warmUp = true;

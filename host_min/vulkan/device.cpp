@@ -75,7 +75,9 @@ DeviceFacts factsOf(const vk::raii::PhysicalDevice& device) {
     facts.maxPushConstantsSize = base.limits.maxPushConstantsSize;
     facts.maxColorAttachments = base.limits.maxColorAttachments;
     facts.maxComputeWorkGroupInvocations = std::min(base.limits.maxComputeWorkGroupInvocations, base.limits.maxComputeWorkGroupSize[0]);
-    facts.subgroupSize = properties.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
+    const auto& subgroup = properties.get<vk::PhysicalDeviceSubgroupProperties>();
+    facts.subgroupSize = subgroup.subgroupSize;
+    facts.subgroupBallot = bool(subgroup.supportedOperations & vk::SubgroupFeatureFlagBits::eBallot) && bool(subgroup.supportedStages & vk::ShaderStageFlagBits::eCompute);
     facts.dynamicRendering = facts.synchronization2 = false;
     if (base.apiVersion >= VK_API_VERSION_1_3) {
         const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan13Features>();

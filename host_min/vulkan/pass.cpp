@@ -107,6 +107,13 @@ void ComputePass::dispatch(Recording& recording, std::span<const Binding> resour
     recording.commands().dispatch(groupsX, groupsY, 1);
 }
 
+void ComputePass::dispatchIndirect(Recording& recording, std::span<const Binding> resources, std::span<const std::byte> push, const Buffer& arguments,
+                                   uint64_t offset) const {
+    recording.commands().bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline_);
+    layout_.bind(recording, vk::PipelineBindPoint::eCompute, resources, push);
+    recording.commands().dispatchIndirect(arguments.handle(), offset);
+}
+
 RasterPass::RasterPass(const Device& device, std::string_view vertex, std::string_view fragment, std::span<const vk::Format> colors, bool depth,
                        const Specialization& constants)
     : layout_(device, std::array{reflect(embeddedShader(vertex)), reflect(embeddedShader(fragment))}) {

@@ -47,6 +47,9 @@ public:
     ComputePass(const Device& device, std::string_view shader, const Specialization& constants = {});
     ComputePass(const Device& device, std::span<const uint32_t> spirv, const Specialization& constants = {});
     void dispatch(Recording& recording, std::span<const Binding> resources, std::span<const std::byte> push, uint32_t groupsX, uint32_t groupsY = 1) const;
+    /// The group counts are three words of `arguments` at `offset`, written by an earlier dispatch.
+    void dispatchIndirect(Recording& recording, std::span<const Binding> resources, std::span<const std::byte> push, const Buffer& arguments,
+                          uint64_t offset) const;
 
 private:
     PassLayout layout_;

@@ -26,6 +26,7 @@ struct DeviceFacts {
     uint32_t maxColorAttachments = 4;
     uint32_t maxComputeWorkGroupInvocations = 1024;
     uint32_t subgroupSize = 8;
+    bool subgroupBallot = true;  ///< VK_SUBGROUP_FEATURE_BALLOT_BIT, in compute shaders
 };
 
 /// What is missing, one entry each, by Vulkan's field name; empty: the device qualifies.

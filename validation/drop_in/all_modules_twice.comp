@@ -1,9 +1,13 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_ballot : require
 // SPDX-License-Identifier: MIT
 // Every module included twice: guards hold.
 layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
 #define GNO_LIGHT push.light
+#define GNO_CLUSTER_FORM GNO_CLUSTER_COMPACT
+#define GNO_CLUSTER_LOAD_SAMPLE(pixel_) GnoViewSample(push.position.xyz, uint((pixel_).x))
 #include "gnomon/core/bindings.glsl"
 #include "gnomon/core/bindings.glsl"
 #include "gnomon/core/caster_state.glsl"
@@ -12,10 +16,16 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/core/counters.glsl"
 #include "gnomon/core/decide.glsl"
 #include "gnomon/core/decide.glsl"
+#include "gnomon/core/hit_weights.glsl"
+#include "gnomon/core/hit_weights.glsl"
 #include "gnomon/core/int128.glsl"
 #include "gnomon/core/int128.glsl"
 #include "gnomon/core/light.glsl"
 #include "gnomon/core/light.glsl"
+#include "gnomon/core/material.h"
+#include "gnomon/core/material.h"
+#include "gnomon/core/material_bindings.glsl"
+#include "gnomon/core/material_bindings.glsl"
 #include "gnomon/core/orient3d.glsl"
 #include "gnomon/core/orient3d.glsl"
 #include "gnomon/core/permutation.glsl"
@@ -26,6 +36,31 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/core/sample.glsl"
 #include "gnomon/core/shared_types.h"
 #include "gnomon/core/shared_types.h"
+<<<<<<< HEAD
+#include "gnomon/core/transmittance.glsl"
+#include "gnomon/core/transmittance.glsl"
+#include "gnomon/core/transmittance_sum.glsl"
+#include "gnomon/core/transmittance_sum.glsl"
+=======
+#include "gnomon/clusters/bindings.glsl"
+#include "gnomon/clusters/bindings.glsl"
+#include "gnomon/clusters/bounds.glsl"
+#include "gnomon/clusters/bounds.glsl"
+#include "gnomon/clusters/build.glsl"
+#include "gnomon/clusters/build.glsl"
+#include "gnomon/clusters/cluster.h"
+#include "gnomon/clusters/cluster.h"
+#include "gnomon/clusters/key.glsl"
+#include "gnomon/clusters/key.glsl"
+#include "gnomon/clusters/merge.glsl"
+#include "gnomon/clusters/merge.glsl"
+#include "gnomon/clusters/nodes.glsl"
+#include "gnomon/clusters/nodes.glsl"
+#include "gnomon/clusters/traverse.glsl"
+#include "gnomon/clusters/traverse.glsl"
+#include "gnomon/clusters/volume.glsl"
+#include "gnomon/clusters/volume.glsl"
+>>>>>>> ctests
 #include "gnomon/top/bindings.glsl"
 #include "gnomon/top/bindings.glsl"
 #include "gnomon/top/build.glsl"
@@ -52,5 +87,14 @@ void main() {
     bool inserted = gnoTopInsert(gnoPermute(at, push.count, push.seed));
     GnoViewSample s = gnoMakeViewSample(gnoSnapToGrid(push.position.xyz), at, t, push.viewer, push.light);
     bool dark = gnoTopQueryStack(s) || gnoTopQueryStackless(s) || gnoTopQueryHybrid(s) || gnoDecideInShadow(push.light, t, s.position, GNO_PRECISION_CERTIFIED);
+<<<<<<< HEAD
+    gnoAddTransmittance(at, gnoTransmittance(at, t, push.light, s.position));
+=======
+    gnoClusterSetUpVolume(at, gnoFacing(push.light, t));
+    gnoClusterMeasureDepth(s, gl_LocalInvocationID.x);
+    gnoClusterAddTile(gl_WorkGroupID.xy, gl_LocalInvocationID.x, s, GNO_CLUSTER_MASKS_OF_NODES);
+    gnoClusterExpand();
+    dark = dark || gnoClusterInShadow(uvec2(at, push.seed), s.position);
+>>>>>>> ctests
     results.v[at] = uint(inserted) + uint(dark);
 }

@@ -12,6 +12,11 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "third_party/light and shade/top/build.glsl"
 #include "third_party/light and shade/top/query_hybrid.glsl"
 #include "third_party/light and shade/top/query_stack.glsl"
+#define GNO_CLUSTER_FORM GNO_CLUSTER_COMPACT
+#include "third_party/light and shade/clusters/bindings.glsl"
+#include "third_party/light and shade/clusters/build.glsl"
+#include "third_party/light and shade/clusters/merge.glsl"
+#include "third_party/light and shade/clusters/volume.glsl"
 layout(local_size_x = 64) in;
 layout(set = 3, binding = 0, std430) writeonly buffer Results { uint v[]; } results;
 
@@ -22,5 +27,8 @@ void main() {
     bool inserted = gnoTopInsert(gnoPermute(at, push.count, push.seed));
     GnoViewSample s = gnoMakeViewSample(gnoSnapToGrid(push.position.xyz), at, t, push.viewer, push.light);
     bool dark = gnoTopQueryStack(s) || gnoTopQueryStackless(s) || gnoTopQueryHybrid(s) || gnoDecideInShadow(push.light, t, s.position, GNO_PRECISION_CERTIFIED);
+    gnoClusterSetUpVolume(at, gnoFacing(push.light, t));
+    gnoClusterAddTile(gl_WorkGroupID.xy, gl_LocalInvocationID.x, s, GNO_CLUSTER_MASKS_OF_NODES);
+    dark = dark || gnoClusterInShadow(uvec2(at, push.seed), s.position);
     results.v[at] = uint(inserted) + uint(dark);
 }

@@ -10,6 +10,7 @@
 #include "validation/oracle/caster_tree.hpp"
 #include "validation/oracle/definition.hpp"
 #include "validation/oracle/parallel.hpp"
+#include "validation/oracle/transmission.hpp"
 #include "validation/oracle/witness.hpp"
 
 namespace gno::host {
@@ -35,6 +36,7 @@ void checkQuestion(const OracleQuestion& q) {
     if (!q.isCaster.empty() && q.isCaster.size() != q.triangles.size()) {
         throw WorkError("the oracle was asked with a caster list whose length is not the number of triangles");
     }
+    if (!q.surfaceOf.empty()) oracle::checkSurfaces(q);
     if ((q.light.w != 0 && q.light.w != 1) || !onGrid(glm::vec3(q.light))) fail("a light that is not on the grid");
     if (q.light == glm::vec4(0)) throw WorkError("the oracle was asked about a directional light without a direction");
     for (size_t i = 0; i < q.triangles.size(); ++i) {
@@ -50,7 +52,7 @@ void checkQuestion(const OracleQuestion& q) {
 }
 
 // Shares of the progress bar.
-constexpr double kTreeShare = 0.2, kExactShare = 0.9;
+constexpr double kTreeShare = 0.2, kMaskShare = 0.5, kExactShare = 0.9;
 
 std::function<void(double)> share(const std::function<void(double)>& progress, double from, double to) {
     if (!progress) return {};
@@ -106,8 +108,29 @@ private:
                 if (answer.inShadow[i] == 0 && own != kNoCaster && facing[own] != 0 && shadows(own)) ++selfShadowed;
             }
         };
-        oracle::forEachChunk(question.samples.size(), work, share(progress, kTreeShare, kExactShare));
+        const bool hasSurfaces = !question.surfaceOf.empty();
+        const double end = hasSurfaces ? kMaskShare : kExactShare;
+        oracle::forEachChunk(question.samples.size(), work, share(progress, kTreeShare, end));
         answer.selfShadowed = selfShadowed;
+        if (hasSurfaces) addUp(question, tree, facing, answer, share(progress, end, kExactShare));
+    }
+
+    // Sums of contributions. A sum at kNoLight stays there whatever else is added: the tree need not be asked to its end.
+    static void addUp(const OracleQuestion& question, const oracle::CasterTree& tree, const std::vector<int8_t>& facing, OracleAnswer& answer,
+                      const std::function<void(double)>& progress) {
+        answer.sums.assign(question.samples.size(), glm::uvec3(0));
+        const auto work = [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i) {
+                if (answer.inShadow[i] == 0) continue;
+                const auto [p, own] = question.samples[i];
+                tree.any(oracle::ShadowSegment(p, question.light), [&](uint32_t t) {
+                    if (t == own || !oracle::inShadowOf(question.triangles[t], question.light, p, facing[t])) return false;
+                    answer.sums[i] = glm::min(answer.sums[i] + oracle::contributionOf(question, t, p), glm::uvec3(kNoLight));
+                    return answer.sums[i] == glm::uvec3(kNoLight);
+                });
+            }
+        };
+        oracle::forEachChunk(question.samples.size(), work, progress);
     }
 };
 

@@ -23,6 +23,11 @@ std::string guardOf(const Module& module) {
     return "";
 }
 
+/// What a #define says after the name and its parameters.
+std::string bodyOf(const std::string& define, size_t nameEnd) {
+    return define.substr(nameEnd < define.size() && define[nameEnd] == '(' ? define.find(')', nameEnd) + 1 : nameEnd);
+}
+
 /// What a module's code asks of its user: macros in conditionals that the library does not define itself.
 struct Asked {
     bool required = false;  ///< its absence is an #error
@@ -41,7 +46,7 @@ std::map<std::string, Asked> askedMacros(const Module& module) {
             if (i + 1 == module.directives.size()) continue;
             const std::string& next = module.directives[i + 1];
             if (startsWith(next, "#error")) entry.required = true;
-            if (startsWith(line, "#ifndef") && startsWith(next, "#define " + name)) entry.standard = next.substr(8 + name.size());
+            if (startsWith(line, "#ifndef") && startsWith(next, "#define " + name)) entry.standard = bodyOf(next, 8 + name.size());
         }
     }
     return asked;
@@ -120,9 +125,9 @@ private:
             if (endsWith(module.path, ".glsl") && match[1] != guardOf(module) && !endsWith(match[1], "_") && !named(module, match[1]))
                 fault(module.path, "the header does not name the macro " + match[1].str());
         }
-        const bool bindings = endsWith(module.path, "/bindings.glsl");
+        const bool bindings = endsWith(module.path, "bindings.glsl");
         if (!bindings && std::find(module.code.begin(), module.code.end(), "layout") != module.code.end())
-            fault(module.path, "has a layout(; only bindings.glsl may");
+            fault(module.path, "has a layout(; only *bindings.glsl may");
     }
 
     static bool named(const Module& module, const std::string& name) {

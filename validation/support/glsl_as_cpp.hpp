@@ -67,6 +67,8 @@ using glm::sqrt;
 using glm::trunc;
 
 inline float roundEven(float x) { return std::nearbyint(x); }
+inline float log2(float x) { return std::log2(x); }
+inline float exp2(float x) { return std::exp2(x); }
 inline float inversesqrt(float x) { return 1.0f / std::sqrt(x); }
 
 inline float dot(vec2 x, vec2 y) { return x.x * y.x + x.y * y.y; }
@@ -156,6 +158,11 @@ inline uint atomicAdd(uint& memory, uint data) {
 inline uint atomicOr(uint& memory, uint data) {
     const uint before = memory;
     memory |= data;
+    return before;
+}
+inline uint atomicAnd(uint& memory, uint data) {
+    const uint before = memory;
+    memory &= data;
     return before;
 }
 inline uint atomicExchange(uint& memory, uint data) {

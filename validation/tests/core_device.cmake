@@ -7,7 +7,7 @@ gnomon_add_test(layout_test LIBRARIES gnomon_frame gnomon_shaders spirv-cross-co
 file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/mount)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/glsl ${CMAKE_CURRENT_BINARY_DIR}/mount/gnomon SYMBOLIC)
 function(gnomon_test_shader target definition source)  # compiles source with the options behind it; its path is `definition` in the program `target`
-  set(spirv ${CMAKE_CURRENT_BINARY_DIR}/${target}.spv)
+  set(spirv ${CMAKE_CURRENT_BINARY_DIR}/${definition}.spv)
   add_custom_command(OUTPUT ${spirv}
     COMMAND ${GNOMON_GLSLANG} -V --target-env vulkan1.2 --quiet -I${CMAKE_CURRENT_BINARY_DIR}/mount ${ARGN} --depfile ${spirv}.d -o ${spirv} ${source}
     COMMAND ${GNOMON_SPIRV_VAL} --target-env vulkan1.2 ${spirv}

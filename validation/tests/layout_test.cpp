@@ -6,6 +6,7 @@
 #include <optional>
 #include <spirv_cross/spirv_cross.hpp>
 
+#include "glsl/clusters/cluster.h"
 #include "glsl/top/node.h"
 #include "host_min/frame/inputs.hpp"
 #include "host_min/vulkan/shader.hpp"
@@ -41,6 +42,11 @@ public:
         return result;
     }
 
+    /// The whole block of the buffer of this name.
+    [[nodiscard]] Layout whole(const std::string& buffer) const { return layout(block(buffer).self); }
+    [[nodiscard]] Layout member(const std::string& buffer, uint32_t index) const {
+        return layout(compiler_.get_type(block(buffer).member_types[index]).self);
+    }
     /// Type of the first member of the storage buffer of this name (instance or block), e.g. of the array `v`.
     [[nodiscard]] const spirv_cross::SPIRType& contents(const std::string& buffer) const { return compiler_.get_type(block(buffer).member_types[0]); }
     [[nodiscard]] uint32_t stride(const std::string& buffer) const { return compiler_.type_struct_member_array_stride(block(buffer), 0); }
@@ -52,8 +58,10 @@ public:
 
 private:
     [[nodiscard]] const spirv_cross::SPIRType& block(const std::string& buffer) const {
-        for (const spirv_cross::Resource& resource : compiler_.get_shader_resources().storage_buffers)
-            if (compiler_.get_name(resource.id) == buffer || resource.name == buffer) return compiler_.get_type(resource.base_type_id);
+        const spirv_cross::ShaderResources all = compiler_.get_shader_resources();
+        for (const auto& kind : {all.storage_buffers, all.uniform_buffers})
+            for (const spirv_cross::Resource& resource : kind)
+                if (compiler_.get_name(resource.id) == buffer || resource.name == buffer) return compiler_.get_type(resource.base_type_id);
         throw std::runtime_error("no buffer " + buffer);
     }
     spirv_cross::Compiler compiler_;
@@ -121,6 +129,54 @@ TEST(Layout, BytesOfATopTreeFollowFromTheStrides) {
     EXPECT_EQ(topGroupCount(1), 1u);
     EXPECT_EQ(topGroupCount(kTopGroupSize), 1u);
     EXPECT_EQ(topGroupCount(kTopGroupSize + 1), 2u);
+}
+
+const std::vector<std::string>& clusterShaders() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> found;
+        for (const std::string& shader : host::embeddedShaderNames())
+            if (shader.starts_with("clusters/examples/")) found.push_back(shader);
+        return found;
+    }();
+    return names;
+}
+
+TEST(Layout, FrameOfAClusterHierarchy) {
+    const std::vector<Member> frame{MEMBER(GnoClusterFrame, origin),      MEMBER(GnoClusterFrame, right),       MEMBER(GnoClusterFrame, down),
+                                    MEMBER(GnoClusterFrame, forward),     MEMBER(GnoClusterFrame, size),        MEMBER(GnoClusterFrame, casterCount),
+                                    MEMBER(GnoClusterFrame, jobCapacity), MEMBER(GnoClusterFrame, boxCapacity), MEMBER(GnoClusterFrame, split),
+                                    MEMBER(GnoClusterFrame, extraPlanes), MEMBER(GnoClusterFrame, frontCulled)};
+    const std::vector<Member> layout{MEMBER(GnoClusterLayout, levels),  MEMBER(GnoClusterLayout, bits),   MEMBER(GnoClusterLayout, sliceBits),
+                                     MEMBER(GnoClusterLayout, form),    MEMBER(GnoClusterLayout, tiles),  MEMBER(GnoClusterLayout, maskX),
+                                     MEMBER(GnoClusterLayout, maskY),   MEMBER(GnoClusterLayout, maskZ),  MEMBER(GnoClusterLayout, unused0),
+                                     MEMBER(GnoClusterLayout, unused1), MEMBER(GnoClusterLayout, unused2)};
+    EXPECT_GE(clusterShaders().size(), 10u);
+    for (const std::string& shader : clusterShaders()) {
+        SCOPED_TRACE(shader);
+        const Reflection reflection(shader);
+        expectSame(reflection.member("gnoClusterFrame", 0), frame, sizeof(GnoClusterFrame));
+        expectSame(reflection.member("gnoClusterFrame", 1), layout, sizeof(GnoClusterLayout));
+        const Layout whole = reflection.whole("gnoClusterFrame");  // the host uploads one after the other
+        EXPECT_EQ(whole.members.at(1).offset, sizeof(GnoClusterFrame));
+        EXPECT_EQ(whole.bytes, sizeof(GnoClusterFrame) + sizeof(GnoClusterLayout));
+    }
+}
+
+TEST(Layout, HeaderAndArraysOfAClusterHierarchy) {
+    const std::vector<Member> header{MEMBER(GnoClusterHeader, leastDepth), MEMBER(GnoClusterHeader, largestDepth), MEMBER(GnoClusterHeader, slack),
+                                     MEMBER(GnoClusterHeader, boxCount),   MEMBER(GnoClusterHeader, nextCaster),   MEMBER(GnoClusterHeader, nextJob),
+                                     MEMBER(GnoClusterHeader, jobCount),   MEMBER(GnoClusterHeader, unused0),      MEMBER(GnoClusterHeader, groups),
+                                     MEMBER(GnoClusterHeader, unused1)};
+    for (const std::string shader : {"reset", "range", "tiles", "allocate", "traverse", "finish_size"}) {
+        SCOPED_TRACE(shader);
+        expectSame(Reflection("clusters/examples/" + shader + ".comp").member("gnoClusterHeader", 0), header, sizeof(GnoClusterHeader));
+    }
+    EXPECT_EQ(offsetof(GnoClusterHeader, groups) % 4, 0u) << "an indirect dispatch reads it";
+    const Reflection traverse("clusters/examples/traverse.comp");  // strides of what the host allocates
+    for (const char* words : {"gnoClusterMasks", "gnoClusterShade", "gnoClusterLow", "gnoClusterHigh", "gnoClusterSliceTable"})
+        EXPECT_EQ(traverse.stride(words), 4u) << words;
+    for (const char* pairs : {"gnoClusterPointers", "gnoClusterInfo", "gnoClusterJobs"}) EXPECT_EQ(traverse.stride(pairs), 8u) << pairs;
+    EXPECT_EQ(7 * traverse.stride("gnoClusterVolumes"), 112u);
 }
 
 TEST(Layout, CastersArePackedFloats) {

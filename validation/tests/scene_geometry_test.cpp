@@ -171,23 +171,25 @@ TEST(Geometry, MaterialsAndTheDefaultOne) {
     Builder builder;
     builder.json["materials"] = {
         {{"name", "glass"}, {"alphaMode", "BLEND"}, {"doubleSided", true}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 0.5, 0, 1}}}}},
-        {{"alphaMode", "MASK"}, {"alphaCutoff", 0.25}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+        {{"alphaCutoff", 0.25}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}},
+        {{"alphaMode", "MASK"}}};
     builder.json["textures"] = {{{"source", 0}}};
     builder.json["images"] = {{{"uri", "is not there.png"}}};
     builder.meshNode(kTriangle);
     builder.json["meshes"][0]["primitives"].push_back(builder.json["meshes"][0]["primitives"][0]);
     builder.json["meshes"][0]["primitives"][1]["material"] = 1;
     const SceneFile scene = loadBytes(builder.glb());
-    ASSERT_EQ(scene.materials().size(), 3u);
+    ASSERT_EQ(scene.materials().size(), 4u);
     EXPECT_EQ(scene.materials()[0].name, "glass");
     EXPECT_EQ(scene.materials()[0].alpha, Material::Alpha::blend);
     EXPECT_TRUE(scene.materials()[0].doubleSided);
     EXPECT_EQ(scene.materials()[0].baseColor, glm::vec4(1, 0.5, 0, 1));
     EXPECT_FALSE(scene.materials()[0].textured);
-    EXPECT_EQ(scene.materials()[1].alpha, Material::Alpha::mask);
+    EXPECT_EQ(scene.materials()[1].alpha, Material::Alpha::opaque);
     EXPECT_EQ(scene.materials()[1].alphaCutoff, 0.25f);
     EXPECT_TRUE(scene.materials()[1].textured);
-    EXPECT_EQ(scene.evaluate(0, 0).material, (std::vector<uint32_t>{2, 1}));
+    EXPECT_EQ(scene.materials()[2].alpha, Material::Alpha::mask);
+    EXPECT_EQ(scene.evaluate(0, 0).material, (std::vector<uint32_t>{3, 1}));
 }
 
 TEST(Geometry, TextFilesWithDataAndExternalBuffers) {

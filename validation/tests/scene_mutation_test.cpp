@@ -8,6 +8,7 @@
 #include <random>
 
 #include "scene_builder.hpp"
+#include "tiny_png.hpp"
 
 namespace gno::host::test {
 namespace {
@@ -92,6 +93,26 @@ Builder skinnedFile() {
     const int input = builder.floats({0, 1}, "SCALAR", 1), output = builder.floats({0, 1}, "SCALAR", 1);
     builder.json["animations"] = {{{"samplers", {{{"input", input}, {"output", output}, {"interpolation", "STEP"}}}},
                                    {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}}};
+    return builder;
+}
+
+Builder leafyFile() {
+    Builder builder;
+    builder.json["materials"] = {
+        {{"alphaMode", "MASK"},
+         {"pbrMetallicRoughness",
+          {{"baseColorTexture",
+            {{"index", 0}, {"texCoord", 1}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0.5}}, {"scale", {2, 2}}}}}}}}}},
+         {"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}}}}}}};
+    builder.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
+    builder.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}}};
+    const int image = builder.view(tinyPng(4, 4, std::string(64, '\x5A')));
+    builder.json["images"] = {{{"bufferView", image}, {"mimeType", "image/png"}}};
+    builder.meshNode(kCube, kCubeIndices);
+    auto& primitive = builder.json["meshes"][0]["primitives"][0];
+    const int uv = builder.floats(std::vector<float>{0, 0, 1, 0, 0, 1, 1, 1, 0, 0, 1, 0, 0, 1, 1, 1}, "VEC2", 2);
+    primitive["attributes"]["TEXCOORD_1"] = uv;
+    primitive["material"] = 0;
     return builder;
 }
 
@@ -229,14 +250,14 @@ private:
 TEST(Mutation, LoadsOrIsRefusedInOneLine) {
     const uint64_t seed = setting("GNOMON_SEED", 20250131), mutants = setting("GNOMON_MUTANTS", 1600);
     std::printf("seed %llu, %llu mutants\n", static_cast<unsigned long long>(seed), static_cast<unsigned long long>(mutants));
-    const Builder files[]{plainFile(), quantizedFile(), animatedFile(), skinnedFile()};
+    const Builder files[]{plainFile(), quantizedFile(), animatedFile(), skinnedFile(), leafyFile()};
     const TemporaryFolder folder;
     Mutator mutator(seed);
     uint64_t loaded = 0, refused = 0;
     for (const Builder& file : files) ASSERT_GT(frameOf(file, 7).triangles.size(), 0u);
     for (uint64_t i = 0; i < mutants; ++i) {
         std::string what;
-        const auto path = folder.write("mutant.glb", mutator.mutant(files[i % 4], what));
+        const auto path = folder.write("mutant.glb", mutator.mutant(files[i % std::size(files)], what));
         try {
             const SceneFile scene = SceneFile::load(path);
             for (const uint32_t frame : {0u, 7u, 1000u}) {

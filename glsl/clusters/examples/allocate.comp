@@ -1,0 +1,14 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Compact bounds: one invocation per word of the tree.
+layout(local_size_x = 64) in;
+layout(constant_id = 20) const uint kForm = 1u;
+#define GNO_CLUSTER_FORM kForm
+#include "../bindings.glsl"
+#include "../build.glsl"
+
+void main() {
+    uint word = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u + gl_LocalInvocationID.x;
+    if (word < gnoClusterWordCount(GNO_CLUSTER_LAYOUT)) gnoClusterAllocate(word);
+}

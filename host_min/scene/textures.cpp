@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "host_min/scene/textures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "host_min/error.hpp"
+#include "host_min/scene/gltf_file.hpp"
+#include "host_min/scene/one_line.hpp"
+
+namespace gno::host {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr uint64_t kMostTexels = 1ull << 27;                                        // of all images
+constexpr int kNearest = 9728, kClamp = 33071, kMirrored = 33648, kRepeat = 10497;  // glTF's numbers, and OpenGL's
+constexpr double kLargestCoordinate = 1 << 30;                                      // 1/256 texel
+
+/// Entry `index` of the file's list `list`; `what` names who asks.
+const Json& entryOf(const Json& lists, const char* list, int64_t index, const std::string& what) {
+    const auto found = lists.find(list);
+    if (found == lists.end() || !found->is_array() || index < 0 || static_cast<size_t>(index) >= found->size())
+        throw InputError(fmt::format("{}: entry {} of {} does not exist", what, index, list));
+    const Json& entry = (*found)[static_cast<size_t>(index)];
+    if (!entry.is_object()) throw InputError(fmt::format("{}: entry {} of {} is no object", what, index, list));
+    return entry;
+}
+
+int wholeMember(const Json& object, const char* key, int otherwise, const std::string& what) {
+    const auto found = object.find(key);
+    if (found == object.end()) return otherwise;
+    if (!found->is_number_unsigned() || found->get<uint64_t>() > 0x7FFFFFFFull)
+        throw InputError(fmt::format("{}: {} is not a whole number in [0, 2^31)", what, key));
+    return static_cast<int>(found->get<uint64_t>());
+}
+
+Wrap wrapOf(int number, const std::string& what) {
+    if (number == kRepeat) return Wrap::repeat;
+    if (number == kMirrored) return Wrap::mirrored;
+    if (number == kClamp) return Wrap::clamp;
+    throw InputError(fmt::format("{}: wrap mode {} is not glTF", what, number));
+}
+
+double numberOf(const tinygltf::Value& value, const std::string& what) {
+    const double number = value.IsNumber() ? value.GetNumberAsDouble() : NAN;
+    if (!std::isfinite(number)) throw InputError(fmt::format("{} is not a finite number", what));
+    return number;
+}
+
+double memberOf(const tinygltf::Value& object, const char* key, double otherwise, const std::string& what) {
+    return object.Has(key) ? numberOf(object.Get(key), fmt::format("{} {}", what, key)) : otherwise;
+}
+
+glm::dvec2 pairOf(const tinygltf::Value& object, const char* key, glm::dvec2 otherwise, const std::string& what) {
+    if (!object.Has(key)) return otherwise;
+    const tinygltf::Value& value = object.Get(key);
+    if (!value.IsArray() || value.ArrayLen() != 2) throw InputError(fmt::format("{} {} is not an array of 2 numbers", what, key));
+    return {numberOf(value.Get(0), fmt::format("{} {}", what, key)), numberOf(value.Get(1), fmt::format("{} {}", what, key))};
+}
+
+/// Counter-clockwise in the image, after the scale: KHR_texture_transform.
+TextureTransform transformOf(const tinygltf::Value& extension, const std::string& what) {
+    const glm::dvec2 scale = pairOf(extension, "scale", {1, 1}, what);
+    const double angle = memberOf(extension, "rotation", 0, what), c = std::cos(angle), s = std::sin(angle);
+    return {{{c * scale.x, -s * scale.x}, {s * scale.y, c * scale.y}}, pairOf(extension, "offset", {0, 0}, what)};
+}
+
+/// %20 and the like; what is no escape stays as it is.
+std::string unescaped(const std::string& uri) {
+    std::string text;
+    for (size_t i = 0; i < uri.size(); ++i) {
+        const auto digit = [&](size_t at) {
+            return at < uri.size() ? std::string("0123456789abcdef").find(static_cast<char>(std::tolower(uri[at]))) : std::string::npos;
+        };
+        if (uri[i] == '%' && digit(i + 1) != std::string::npos && digit(i + 2) != std::string::npos) {
+            text.push_back(static_cast<char>(digit(i + 1) * 16 + digit(i + 2)));
+            i += 2;
+        } else {
+            text.push_back(uri[i]);
+        }
+    }
+    return text;
+}
+
+}  // namespace
+
+Textures::Textures(const tinygltf::Model& model, const Json& lists, std::filesystem::path folder)
+    : model_(model), lists_(lists), folder_(std::move(folder)), set_(std::make_shared<MaterialSet>()) {
+    for (size_t i = 0; i < model.materials.size(); ++i) readMaterial(model.materials[i], i);
+    set_->materials.emplace_back().name = "default";
+    places_.emplace_back();
+}
+
+void Textures::readMaterial(const tinygltf::Material& from, size_t index) {
+    const std::string what = fmt::format("material {}", index);
+    Material& material = set_->materials.emplace_back();
+    Place& place = places_.emplace_back();
+    material.name = oneLine(from.name);
+    if (from.alphaMode == "MASK") material.alpha = Material::Alpha::mask;
+    if (from.alphaMode == "BLEND") material.alpha = Material::Alpha::blend;
+    material.alphaCutoff = static_cast<float>(from.alphaCutoff);
+    if (!(material.alphaCutoff >= 0)) throw InputError(fmt::format("{}: alphaCutoff is less than 0", what));
+    const auto& factor = from.pbrMetallicRoughness.baseColorFactor;
+    if (factor.size() != 4) throw InputError(fmt::format("{}: baseColorFactor does not have 4 numbers", what));
+    for (int i = 0; i < 4; ++i) material.baseColor[i] = static_cast<float>(std::clamp(factor[static_cast<size_t>(i)], 0.0, 1.0));
+    if (const auto found = from.extensions.find("KHR_materials_transmission"); found != from.extensions.end())
+        material.transmission = static_cast<float>(std::clamp(memberOf(found->second, "transmissionFactor", 0, what), 0.0, 1.0));
+    material.doubleSided = from.doubleSided;
+    const tinygltf::TextureInfo& texture = from.pbrMetallicRoughness.baseColorTexture;
+    material.textured = texture.index >= 0;
+    place.texture = texture.index;
+    place.set = texture.texCoord;
+    if (const auto found = texture.extensions.find("KHR_texture_transform"); found != texture.extensions.end()) {
+        place.transform = transformOf(found->second, what + " KHR_texture_transform");
+        place.set = static_cast<int>(std::clamp(memberOf(found->second, "texCoord", place.set, what), 0.0, 1e9));
+    }
+}
+
+uint32_t Textures::use(int index) {
+    const auto number = static_cast<uint32_t>(index < 0 ? model_.materials.size() : static_cast<size_t>(index));
+    const Material& material = set_->materials[number];
+    if (!places_[number].used && !material.isOpaque() && material.textured) loadTexture(number);
+    places_[number].used = true;
+    return number;
+}
+
+void Textures::loadTexture(uint32_t number) {
+    Material& material = set_->materials[number];
+    const std::string what = fmt::format("material {}", number);
+    const int index = places_[number].texture;
+    const Json& texture = entryOf(lists_, "textures", index, what);
+    const std::string textureName = fmt::format("texture {}", index);
+    if (const int sampler = wholeMember(texture, "sampler", -1, textureName); sampler >= 0) {
+        const Json& from = entryOf(lists_, "samplers", sampler, textureName);
+        const std::string samplerName = fmt::format("sampler {}", sampler);
+        material.wrapU = wrapOf(wholeMember(from, "wrapS", kRepeat, samplerName), samplerName);
+        material.wrapV = wrapOf(wholeMember(from, "wrapT", kRepeat, samplerName), samplerName);
+        material.linearFilter = wholeMember(from, "magFilter", 0, samplerName) != kNearest;
+    }
+    const int source = wholeMember(texture, "source", -1, textureName);
+    if (source < 0)
+        throw InputError(
+            fmt::format("{} has no PNG or JPEG; {} ({}) casts by its alpha: give it one, or make it opaque", textureName, what, material.name));
+    material.image = loadImage(static_cast<size_t>(source));
+}
+
+int Textures::loadImage(size_t image) {
+    const auto [entry, added] = images_.try_emplace(image, static_cast<int>(set_->images.size()));
+    if (!added) return entry->second;
+    const std::string what = fmt::format("image {}", image);
+    set_->images.push_back(decodeImage(imageBytes(image, what), what, kMostTexels - texels_));
+    texels_ += uint64_t{set_->images.back().width} * set_->images.back().height;
+    return entry->second;
+}
+
+std::vector<unsigned char> Textures::imageBytes(size_t image, const std::string& what) const {
+    const Json& entry = entryOf(lists_, "images", static_cast<int64_t>(image), "a texture");
+    if (const int number = wholeMember(entry, "bufferView", -1, what); number >= 0) {
+        if (static_cast<size_t>(number) >= model_.bufferViews.size())
+            throw InputError(fmt::format("{}: buffer view {} does not exist", what, number));
+        const auto& view = model_.bufferViews[static_cast<size_t>(number)];
+        if (view.buffer < 0 || static_cast<size_t>(view.buffer) >= model_.buffers.size())
+            throw InputError(fmt::format("{}: buffer {} does not exist", what, view.buffer));
+        const auto& data = model_.buffers[static_cast<size_t>(view.buffer)].data;
+        if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
+            throw InputError(fmt::format("{}: buffer view {} reaches past the end of its buffer", what, number));
+        const auto first = data.begin() + static_cast<std::ptrdiff_t>(view.byteOffset);
+        return {first, first + static_cast<std::ptrdiff_t>(view.byteLength)};
+    }
+    const auto uri = entry.find("uri");
+    if (uri == entry.end() || !uri->is_string()) throw InputError(fmt::format("{} has neither a buffer view nor a uri", what));
+    const auto text = uri->get<std::string>();
+    if (tinygltf::IsDataURI(text)) {
+        std::vector<unsigned char> bytes;
+        std::string kind;
+        if (!tinygltf::DecodeDataURI(&bytes, kind, text, 0, false)) throw InputError(fmt::format("{}: its data uri is broken", what));
+        return bytes;
+    }
+    const std::filesystem::path name = unescaped(text);
+    try {
+        if (name.empty() || name.is_absolute()) throw InputError("not a path beside the model");
+        return readWholeFile(folder_ / name);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{} ({}): {}", what, oneLine(name.string()), error.what()));
+    }
+}
+
+// A triangle moves by whole repeats towards 0, on one axis after the other; a mirrored texture repeats every two images, a clamped one does not.
+std::array<glm::ivec2, 3> Textures::corners(uint32_t number, const std::array<glm::dvec2, 3>& uv) const {
+    const Material& from = set_->materials[number];
+    const TextureImage& image = set_->images[static_cast<size_t>(from.image)];
+    std::array<glm::dvec2, 3> at;
+    for (size_t i = 0; i < 3; ++i) at[i] = places_[number].transform(uv[i]);
+    std::array<glm::ivec2, 3> result;
+    for (int axis = 0; axis < 2; ++axis) {
+        const Wrap wrap = axis == 0 ? from.wrapU : from.wrapV;
+        const double size = axis == 0 ? image.width : image.height;
+        const double period = wrap == Wrap::mirrored ? 2 : 1;
+        const double least = std::min({at[0][axis], at[1][axis], at[2][axis]});
+        const double shift = wrap == Wrap::clamp ? 0 : std::floor(least / period) * period;
+        for (size_t i = 0; i < 3; ++i) {
+            const double texel = std::floor((at[i][axis] - shift) * size * 256 + 0.5);
+            if (!(std::abs(texel) < kLargestCoordinate))
+                throw InputError(fmt::format("texture coordinates reach over more than {} texels in one triangle", 1 << 22));
+            result[i][axis] = static_cast<int>(texel);
+        }
+    }
+    return result;
+}
+
+}  // namespace gno::host

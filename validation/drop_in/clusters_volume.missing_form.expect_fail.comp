@@ -1,0 +1,27 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Must fail with the #error of clusters/volume.glsl that names GNO_CLUSTER_FORM.
+layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
+#define GNO_LIGHT push.light
+#include "gnomon/core/bindings.glsl"
+#include "gnomon/clusters/cluster.h"
+layout(set = 0, binding = 1, std140) uniform View { GnoClusterFrame frame; GnoClusterLayout tree; } view;
+layout(set = 0, binding = 2, std430) buffer Ours {
+    GnoClusterHeader header;
+    float slices[64];
+    uint masks[64];
+    uint shade[64];
+    float lows[64];
+    float highs[64];
+    uvec2 pointers[64];
+    vec4 volumes[64];
+    uvec2 infos[64];
+    uvec2 jobs[64];
+} ours;
+#define GNO_CLUSTER_VOLUMES ours.volumes
+#define GNO_CLUSTER_INFO ours.infos
+#define GNO_CLUSTER_FRAME view.frame
+#include "gnomon/clusters/volume.glsl"
+layout(local_size_x = 64) in;
+void main() {}

@@ -1,0 +1,10 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Must fail with the #error of core/transmittance.glsl that names GNO_LOAD_TEXEL.
+#define GNO_LOAD_MATERIAL_OF(caster) caster
+#define GNO_LOAD_SURFACE(index) GnoSurface(ivec2(0), ivec2(0), ivec2(0), index, 0u)
+#define GNO_LOAD_MATERIAL(index) GnoMaterial(index, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u)
+#include "gnomon/core/transmittance.glsl"
+layout(local_size_x = 64) in;
+void main() {}

@@ -1,0 +1,6 @@
+gnomon_add_test(cluster_key_test TIMEOUT 60)
+gnomon_add_test(cluster_bounds_test TIMEOUT 60)
+add_library(gnomon_camera_view STATIC ${PROJECT_SOURCE_DIR}/validation/support/camera_view.cpp)
+target_link_libraries(gnomon_camera_view PRIVATE gnomon_flags PUBLIC gnomon_device_test)
+gnomon_add_device_test(cluster_build_test LIBRARIES gnomon_camera_view)
+gnomon_add_device_test(cluster_traverse_test LIBRARIES gnomon_camera_view)
