@@ -27,6 +27,11 @@ int run(int argc, char** argv) {
     app.add_option("--cull", cull, "none, front, hull or all")->capture_default_str()->check(CLI::IsMember({"none", "front", "hull", "all"}));
     app.add_option("--precision", precision, "published, conservative or certified")->capture_default_str();
     app.add_option("--csv", job.csv, "file for the numbers of every frame (paths)");
+    app.add_option("--keep", job.keep, "folder to write the view samples to (product)")->check(CLI::ExistingDirectory);
+    app.add_option(
+           "--given", job.given,
+           "folder to take the view samples from instead of rasterising (product): a driver that cannot rasterise at a subgroup width still computes")
+        ->check(CLI::ExistingDirectory);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {

@@ -5,9 +5,12 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <optional>
 
 #include "host_min/error.hpp"
 #include "host_min/oracle.hpp"
+#include "host_min/output/atomic_file.hpp"
 #include "validation/bench/cluster_tables.hpp"
 
 namespace gno::bench {
@@ -38,22 +41,52 @@ void check(const host::FrameInputs& inputs, const host::OracleAnswer& answer, co
     std::fflush(stdout);
 }
 
+/// View samples of a picture, one record of 16 bytes per pixel: position, own.
+void writeSamples(const std::filesystem::path& path, const std::vector<host::OracleSample>& samples) {
+    host::AtomicFile out(path);
+    out.stream().write(reinterpret_cast<const char*>(samples.data()), std::streamsize(samples.size() * sizeof(host::OracleSample)));
+    out.commit();
+}
+
+std::vector<host::OracleSample> readSamples(const std::filesystem::path& path) {
+    static_assert(sizeof(host::OracleSample) == 16);
+    std::ifstream in(path, std::ios::binary | std::ios::ate);
+    if (!in) throw host::InputError(fmt::format("cannot read {}: write it with --keep", path.string()));
+    std::vector<host::OracleSample> samples(size_t(in.tellg()) / sizeof(host::OracleSample));
+    in.seekg(0);
+    in.read(reinterpret_cast<char*>(samples.data()), std::streamsize(samples.size() * sizeof(host::OracleSample)));
+    return samples;
+}
+
 }  // namespace
 
 uint64_t printProduct(host::PassCache& passes, const ClusterJob& job) {
     Sum all;
     for (const std::string& scene : job.scenes) {
         const host::Frame frame = host::SceneFile::load(scene).evaluate(0, 0);
-        host::FrameInputs inputs(passes, frame, job.width, job.height);
+        const std::string stem = std::filesystem::path(scene).stem().string();
+        std::optional<host::FrameInputs> rasterised;
+        if (job.given.empty()) rasterised.emplace(passes, frame, job.width, job.height);
         Sum sum;
+        uint64_t casterCount = 0;
         for (size_t light = 0; light < frame.lights.size(); ++light) {
+            const std::string file = fmt::format("{}-l{}-{}x{}.samples", stem, light, job.width, job.height);
+            std::optional<host::FrameInputs> given;
+            std::vector<host::OracleSample> kept;
+            if (!job.given.empty()) {
+                kept = readSamples(std::filesystem::path(job.given) / file);
+                given.emplace(passes, frame, kept, job.width);
+            }
+            host::FrameInputs& inputs = given ? *given : *rasterised;
             inputs.setLight(frame.lights[light].homogeneous, job.cull);
+            if (!job.keep.empty()) writeSamples(std::filesystem::path(job.keep) / file, inputs.pixels());
+            casterCount = inputs.casterCount();
             std::vector<host::OracleSample> samples;
             for (const host::OracleSample& pixel : inputs.pixels())
                 if (pixel.own <= GNO_NO_CASTER) samples.push_back(pixel);
             const std::vector<uint8_t> casters = inputs.definitionCasters();
             const host::OracleAnswer answer = host::makeOracle()->ask({frame.triangles, casters, inputs.light(), samples}, [](double) {});
-            const std::string what = fmt::format("{} light {}", std::filesystem::path(scene).stem().string(), light);
+            const std::string what = fmt::format("{} light {}", stem, light);
             check(inputs, answer, what, "d-hybrid", {}, job.precision, sum);
             for (const char* split : {"off", "1", "2", "3"}) {
                 const std::string splitSetting = std::string("split=") + split;
@@ -66,8 +99,8 @@ uint64_t printProduct(host::PassCache& passes, const ClusterJob& job) {
             check(inputs, answer, what, "ptsv", {"jobs=1", "split=2"}, job.precision, sum);
             check(inputs, answer, what, "ptsv", {"boxes=16"}, job.precision, sum);
         }
-        fmt::print("{}: {} casters, {} lights, {} runs, {} samples checked, {} wrong\n", std::filesystem::path(scene).stem().string(),
-                   inputs.casterCount(), frame.lights.size(), sum.runs, sum.checked, sum.wrong);
+        fmt::print("{}: {} casters, {} lights, {} runs, {} samples checked, {} wrong\n", stem, casterCount, frame.lights.size(), sum.runs,
+                   sum.checked, sum.wrong);
         std::fflush(stdout);
         all.runs += sum.runs;
         all.checked += sum.checked;

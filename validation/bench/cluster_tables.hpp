@@ -14,7 +14,8 @@ struct ClusterJob {
     uint32_t lastFrame = 56, frameStep = 4;
     host::Cull cull = host::Cull::front;  ///< as in the paper's figure 6
     host::Precision precision = host::Precision::certified;
-    std::string csv;  ///< per-frame numbers go here; empty: nowhere
+    std::string csv;          ///< per-frame numbers go here; empty: nowhere
+    std::string keep, given;  ///< product: folder to write view samples to, to take them from instead of rasterising; empty: neither
 };
 
 /// Test-and-set operations and stage times along a path, by variant (figures 5, 6 and 8).
