@@ -22,6 +22,7 @@ struct HardCase {
     uint32_t first = kAnyFirst;           ///< a triangle whose early insertion makes it hard: every second insertion seed is one that puts it first
     bool expectsPublishedErrors = false;  ///< `published` must be seen to fail: this is what shows that the suite can catch errors
     double conservativeLimit = 0;         ///< largest share of samples that `conservative` may get wrong (ties: the sign itself is fp32 noise)
+    std::vector<std::string> settings{};  ///< KEY=VALUE, for the techniques that have them
 };
 
 /// All families, in the order of the table in validation/README.md.
@@ -36,5 +37,6 @@ std::vector<HardCase> interpenetration();
 std::vector<HardCase> bigAndSmall();
 std::vector<HardCase> scale();
 std::vector<HardCase> emptiness();
+std::vector<HardCase> clusters();
 
 }  // namespace gno::hard

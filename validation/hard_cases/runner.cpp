@@ -14,16 +14,6 @@ namespace {
 
 constexpr uint64_t kBruteForceLimit = 400'000;  // sample-caster pairs of one scene
 
-host::Frame frameOf(const test::Scene& scene) {
-    host::Frame frame;
-    frame.triangles = scene.triangles;
-    frame.material.assign(scene.triangles.size(), 0);
-    frame.object.assign(scene.triangles.size(), 0);
-    frame.closed = scene.closed.empty() ? std::vector<uint8_t>(scene.triangles.size(), 0) : scene.closed;
-    frame.camera.gridFromCamera[3] = glm::dvec4(0, 0, 4, 1);
-    return frame;
-}
-
 std::string hex(glm::vec3 v) { return fmt::format("({:a}, {:a}, {:a})", v.x, v.y, v.z); }
 
 std::string describe(const test::Scene& scene, size_t sample, const host::OracleAnswer& answer) {
@@ -72,7 +62,7 @@ bool hasSeed(const host::TechniqueInfo& info) {
 void add(Tally& tally, const test::Scene& scene, const host::TechniqueResult& result, const host::OracleAnswer& answer, const std::string& how) {
     ++tally.runs;
     tally.answers += scene.samples.size();
-    const test::Wrong wrong = test::compare(result, answer);
+    const test::Wrong wrong = test::compare(result, answer, scene.samples);
     tally.wrong += wrong.wrong;
     tally.leaks += wrong.leaks;
     tally.falseDark += wrong.falseDark;
@@ -91,11 +81,14 @@ CaseResult runCase(const HardCase& hardCase, const RunnerOptions& options, const
 
     for (uint32_t sceneSeed = 1; sceneSeed <= hardCase.scenes; ++sceneSeed) {
         const test::Scene scene = hardCase.make(sceneSeed);
-        const host::Frame frame = frameOf(scene);
-        host::FrameInputs inputs(test::passes(), frame, scene.samples);
+        const host::Frame frame = test::frameOf(scene);
+        host::FrameInputs inputs(test::passes(), frame, scene.samples, scene.width);
         inputs.setLight(scene.light, scene.cull);
         const std::vector<uint8_t> casters = inputs.definitionCasters();
-        const host::OracleAnswer answer = host::makeOracle()->ask({scene.triangles, casters, scene.light, scene.samples}, [](double) {});
+        std::vector<host::OracleSample> asked(scene.samples);
+        for (host::OracleSample& sample : asked)
+            if (sample.own > host::kNoCaster) sample.own = host::kNoCaster;  // background, or facing away: nobody reads that answer
+        const host::OracleAnswer answer = host::makeOracle()->ask({scene.triangles, casters, scene.light, asked}, [](double) {});
         result.triangles += scene.triangles.size();
         result.samples += scene.samples.size();
         result.inShadow += uint64_t(std::count(answer.inShadow.begin(), answer.inShadow.end(), uint8_t(1)));
@@ -107,7 +100,8 @@ CaseResult runCase(const HardCase& hardCase, const RunnerOptions& options, const
         const std::vector<uint32_t> seeds = insertionSeeds(hardCase, scene, std::max(1u, options.insertionSeeds / hardCase.scenes));
         for (const uint32_t seed : seeds) {
             host::StructureCache structures;
-            const std::vector<std::string> settings{fmt::format("seed={}", seed)};
+            std::vector<std::string> settings(hardCase.settings);
+            settings.push_back(fmt::format("seed={}", seed));
             for (Tally& tally : result.tallies) {
                 host::Technique& technique = host::techniqueByName(tally.technique);
                 if (seed != seeds.front() && !hasSeed(technique.info())) continue;

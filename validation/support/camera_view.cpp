@@ -7,9 +7,12 @@
 #include "host_min/scene/grid.hpp"
 #include "validation/support/glsl_as_cpp.hpp"
 
-namespace gno {  // core/orient3d.glsl opens no namespace, what includes it opens its own: gno::gno
+#pragma GCC diagnostic ignored "-Wunused-function"
+namespace gno {  // core/orient3d.glsl opens no namespace, what includes it opens its own; unnamed, for other files of a program do the same
+namespace {
 #include "glsl/core/sample.glsl"
 using namespace gno;
+}  // namespace
 }  // namespace gno
 
 namespace gno::test {

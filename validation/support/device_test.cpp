@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 namespace gno::test {
-namespace {
 
 host::Frame frameOf(const Scene& scene) {
     host::Frame frame;
@@ -15,10 +14,9 @@ host::Frame frameOf(const Scene& scene) {
     frame.object.assign(scene.triangles.size(), 0);
     frame.closed = scene.closed.empty() ? std::vector<uint8_t>(scene.triangles.size(), 0) : scene.closed;
     frame.camera.gridFromCamera[3] = glm::dvec4(0, 0, 4, 1);
+    if (scene.camera) frame.camera = *scene.camera;
     return frame;
 }
-
-}  // namespace
 
 host::PassCache& passes() {
     static const host::Device device([] {
@@ -33,7 +31,7 @@ host::PassCache& passes() {
 std::vector<host::TechniqueResult> runAll(const Scene& scene, std::span<const std::string> techniques, host::Precision precision,
                                           std::span<const std::string> settings) {
     const host::Frame frame = frameOf(scene);
-    host::FrameInputs inputs(passes(), frame, scene.samples);
+    host::FrameInputs inputs(passes(), frame, scene.samples, scene.width);
     inputs.setLight(scene.light, scene.cull);
     host::StructureCache structures;
     std::vector<host::TechniqueResult> results;
@@ -52,17 +50,19 @@ host::TechniqueResult run(const Scene& scene, const std::string& technique, host
 
 host::OracleAnswer ask(const Scene& scene) {
     const host::Frame frame = frameOf(scene);
-    host::FrameInputs inputs(passes(), frame, scene.samples);
+    host::FrameInputs inputs(passes(), frame, scene.samples, scene.width);
     inputs.setLight(scene.light, scene.cull);
     const std::vector<uint8_t> casters = inputs.definitionCasters();
     return host::makeOracle()->ask({scene.triangles, casters, scene.light, scene.samples}, [](double) {});
 }
 
-Wrong compare(const host::TechniqueResult& got, const host::OracleAnswer& want) {
+Wrong compare(const host::TechniqueResult& got, const host::OracleAnswer& want, std::span<const host::OracleSample> samples) {
     if (got.visibility.size() != want.inShadow.size()) throw std::logic_error("masks of different sizes");
     Wrong result;
     for (size_t i = got.visibility.size(); i-- > 0;) {
-        const uint32_t expected = want.inShadow[i] ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT;
+        uint32_t expected = want.inShadow[i] ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT;
+        if (!samples.empty() && samples[i].own == GNO_FACING_AWAY) expected = GNO_VISIBILITY_FACING_AWAY;
+        if (!samples.empty() && samples[i].own == GNO_BACKGROUND) expected = GNO_VISIBILITY_BACKGROUND;
         if (got.visibility[i] == expected) continue;
         ++result.wrong;
         result.leaks += want.inShadow[i] != 0;

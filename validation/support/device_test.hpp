@@ -2,6 +2,7 @@
 // What device tests share: one device per program, made-up scenes, and a run of one technique on them.
 // device_main.cpp prints driver and subgroup width as line one, and fails the program when the validation layer has something to say.
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,7 +22,12 @@ struct Scene {
     glm::vec4 light{0, 0, 0, 1};
     std::vector<host::OracleSample> samples;
     host::Cull cull = host::Cull::none;
+    std::optional<host::Camera> camera{};  ///< whose pixels the samples are, in rows of `width`; none: one that did not make them
+    uint32_t width = 64;
 };
+
+/// The scene as a host would hold it.
+host::Frame frameOf(const Scene& scene);
 
 /// Runs a technique; entry i of the masks belongs to sample i.
 host::TechniqueResult run(const Scene& scene, const std::string& technique, host::Precision precision, std::span<const std::string> settings = {});
@@ -37,6 +43,7 @@ struct Wrong {
     uint64_t wrong = 0, leaks = 0, falseDark = 0;
     size_t first = 0;  ///< index of the first wrong sample
 };
-Wrong compare(const host::TechniqueResult& got, const host::OracleAnswer& want);
+/// `samples`: those whose own is GNO_FACING_AWAY or GNO_BACKGROUND have to come back as that; without them all count as view samples.
+Wrong compare(const host::TechniqueResult& got, const host::OracleAnswer& want, std::span<const host::OracleSample> samples = {});
 
 }  // namespace gno::test
