@@ -22,9 +22,12 @@ struct Variant {
 };
 
 const std::vector<Variant> kVariants{
-    {"2011, own planes", "ptsv-2011", {"planes=own"}},       {"2011", "ptsv-2011", {}},
-    {"implicit", "ptsv", {"bounds=implicit", "planes=own", "split=off"}}, {"+ extra planes", "ptsv", {"bounds=implicit", "split=off"}},
-    {"+ explicit bounds", "ptsv", {"bounds=compact", "split=off"}},       {"+ two passes", "ptsv", {"bounds=compact", "split=2"}},
+    {"2011, own planes", "ptsv-2011", {"planes=own"}},
+    {"2011", "ptsv-2011", {}},
+    {"implicit", "ptsv", {"bounds=implicit", "planes=own", "split=off"}},
+    {"+ extra planes", "ptsv", {"bounds=implicit", "split=off"}},
+    {"+ explicit bounds", "ptsv", {"bounds=compact", "split=off"}},
+    {"+ two passes", "ptsv", {"bounds=compact", "split=2"}},
 };
 
 struct Numbers {

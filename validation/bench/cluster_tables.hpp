@@ -26,4 +26,7 @@ void printSizes(host::PassCache& passes, const ClusterJob& job);
 /// Against the TOP tree and the flat hierarchy, from few casters to many (light 0, one frame per scene).
 void printAgainst(host::PassCache& passes, const ClusterJob& job);
 
+/// The product of light, bounds, split and planes against the oracle; the number of wrong answers.
+uint64_t printProduct(host::PassCache& passes, const ClusterJob& job);
+
 }  // namespace gno::bench
