@@ -228,7 +228,8 @@ void ClusterHierarchy::record(Recording& recording, const Image& visibility) con
 
 uint32_t ClusterHierarchy::occupied() const {
     uint32_t count = 0;
-    for (const uint32_t word : masks_.downloadAs<uint32_t>()) count += uint32_t(std::popcount(word));
+    const auto words = masks_.downloadAs<uint32_t>();  // a buffer's size is rounded up: what follows the last word is nobody's
+    for (uint32_t i = 0; i < gnoClusterWordCount(layout_); ++i) count += uint32_t(std::popcount(words[i]));
     return count;
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <ostream>
 
 #include "host_min/error.hpp"
@@ -69,8 +68,6 @@ Numbers measureOne(const host::FrameInputs& inputs, const Variant& variant, host
     n.arrays = result.bytes;
     return n;
 }
-
-std::string stem(const std::string& scene) { return std::filesystem::path(scene).stem().string(); }
 
 std::string millions(const std::vector<double>& values) {
     const Statistic s = statistic(values);

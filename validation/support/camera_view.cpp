@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "validation/support/camera_view.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "host_min/scene/grid.hpp"
@@ -42,6 +43,27 @@ double hit(const Ray& ray, const host::Triangle& t, double least) {
 
 glm::vec3 snapped(dvec3 v) { return {host::snapCoordinate(v.x), host::snapCoordinate(v.y), host::snapCoordinate(v.z)}; }
 
+struct Window {
+    uint32_t left, top, right, bottom;
+};
+
+/// Pixels that may see the triangle; all of them when it comes nearer than the near plane.
+Window windowOf(const CameraView& view, const host::Triangle& t) {
+    const host::Camera& camera = view.frame.camera;
+    const double half = camera.perspective ? std::tan(camera.yfov / 2) : camera.ymag;
+    double left = view.width, right = 0, top = view.height, bottom = 0;
+    for (const glm::vec3 v : {t.a, t.b, t.c}) {
+        const dvec3 d = dvec3(v) - axis(camera, 3);
+        const double depth = glm::dot(d, -axis(camera, 2)), k = camera.perspective ? half * depth : half;
+        if (depth < camera.znear) return {0, 0, view.width, view.height};
+        const double x = (glm::dot(d, axis(camera, 0)) / k * view.height / view.width + 1) / 2 * view.width;
+        const double y = (1 - glm::dot(d, axis(camera, 1)) / k) / 2 * view.height;
+        left = std::min(left, x), right = std::max(right, x), top = std::min(top, y), bottom = std::max(bottom, y);
+    }
+    const auto pixel = [](double at, uint32_t most) { return uint32_t(std::clamp(at, 0.0, double(most))); };
+    return {pixel(left - 1, view.width), pixel(top - 1, view.height), pixel(right + 2, view.width), pixel(bottom + 2, view.height)};
+}
+
 }  // namespace
 
 host::Camera lookAt(glm::dvec3 eye, glm::dvec3 at, double extent, bool perspective) {
@@ -61,22 +83,27 @@ glm::dvec3 pointAt(const CameraView& view, double x, double y, double depth) {
 }
 
 void fillPixels(CameraView& view) {
-    view.frame.material.assign(view.frame.triangles.size(), 0);
-    view.frame.object.assign(view.frame.triangles.size(), 0);
-    view.frame.closed.assign(view.frame.triangles.size(), 0);
-    view.pixels.assign(size_t(view.width) * view.height, {glm::vec3(0), GNO_BACKGROUND});
+    const auto& triangles = view.frame.triangles;
+    for (auto* list : {&view.frame.material, &view.frame.object}) list->assign(triangles.size(), 0);
+    view.frame.closed.assign(triangles.size(), 0);
+    std::vector<double> nearest(size_t(view.width) * view.height, INFINITY);
+    std::vector<uint32_t> own(nearest.size(), GNO_BACKGROUND);
+    for (uint32_t k = 0; k < triangles.size(); ++k) {
+        const Window window = windowOf(view, triangles[k]);
+        for (uint32_t y = window.top; y < window.bottom; ++y)
+            for (uint32_t x = window.left; x < window.right; ++x) {
+                const size_t i = size_t(y) * view.width + x;
+                const double depth = hit(rayOf(view, x + 0.5, y + 0.5), triangles[k], view.frame.camera.znear);
+                if (depth < nearest[i]) nearest[i] = depth, own[i] = k;
+            }
+    }
     const glm::vec4 viewer(view.frame.camera.viewer());
-    for (uint32_t i = 0; i < view.pixels.size(); ++i) {
-        const Ray ray = rayOf(view, i % view.width + 0.5, i / view.width + 0.5);
-        double nearest = INFINITY;
-        uint32_t own = 0;
-        for (uint32_t k = 0; k < view.frame.triangles.size(); ++k) {
-            const double depth = hit(ray, view.frame.triangles[k], view.frame.camera.znear);
-            if (depth < nearest) nearest = depth, own = k;
-        }
-        if (std::isinf(nearest)) continue;
-        const host::Triangle& t = view.frame.triangles[own];
-        const GnoViewSample s = gnoMakeViewSample(snapped(ray.from + ray.along * nearest), own, {t.a, t.b, t.c}, viewer, view.light);
+    view.pixels.assign(nearest.size(), {glm::vec3(0), GNO_BACKGROUND});
+    for (uint32_t i = 0; i < nearest.size(); ++i) {
+        if (own[i] == GNO_BACKGROUND) continue;
+        const host::Triangle& t = triangles[own[i]];
+        const glm::vec3 p = snapped(pointAt(view, i % view.width + 0.5, i / view.width + 0.5, nearest[i]));
+        const GnoViewSample s = gnoMakeViewSample(p, own[i], {t.a, t.b, t.c}, viewer, view.light);
         view.pixels[i] = {s.position, s.own};
     }
 }
