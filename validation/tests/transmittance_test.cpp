@@ -115,6 +115,24 @@ TEST(WeightedMean, IsTheFloorOfTheQuotient) {
     EXPECT_EQ(gnoWeightedMean(uvec3(0), uvec3(7)), 0u);
 }
 
+TEST(HitTexel, IsTheFloorOfTheMeanOnBothSidesOfZero) {
+    std::mt19937_64 bits(11);
+    std::printf("seed 11\n");
+    for (int i = 0; i < 100000; ++i) {
+        const uint64_t reach = i % 3 == 0 ? (1u << 31) - 2 : 5000;
+        const auto corner = [&] { return ivec2(int64_t(bits() % reach) - int64_t(reach / 2), int64_t(bits() % reach) - int64_t(reach / 2)); };
+        const GnoSurface s{corner(), corner(), corner(), 0, 0};
+        const uvec3 w(bits() % (1u << 22), bits() % (1u << 22), i % 5 == 0 ? 0 : bits() % (1u << 22));
+        if (w.x + w.y + w.z == 0) continue;
+        const ivec2 got = gnoHitTexel(w, s);
+        for (int k = 0; k < 2; ++k) {
+            const int64_t sum = int64_t{w.x} + w.y + w.z, product = int64_t{w.x} * s.a[k] + int64_t{w.y} * s.b[k] + int64_t{w.z} * s.c[k];
+            ASSERT_LE(got[k] * sum, product);
+            ASSERT_GT((got[k] + int64_t{1}) * sum, product);
+        }
+    }
+}
+
 TEST(Contribution, IsTheRoundedLogarithmOfAll256) {
     uint before = GNO_TRANSMITTANCE_OPAQUE;
     for (uint t = 0; t < 256; ++t) {
@@ -258,8 +276,8 @@ TEST(Transmitted, BlendAndGlass) {
 }
 
 TEST(Sums, StopAndNeverWrap) {
-    constexpr uint kLayers = 100000;  // 523918 each: the sum would pass 2^32 a dozen times
-    for (const uint one : {1u, 523918u, GNO_TRANSMITTANCE_OPAQUE}) {
+    constexpr uint kLayers = 100000;                                          // 523918 each: the sum would pass 2^32 a dozen times
+    for (const uint one : {1u, 65536u, 523918u, GNO_TRANSMITTANCE_OPAQUE}) {  // 16 times 65536 is the stop itself
         sums.assign(8, 0);
         uint64_t want = 0;
         for (uint i = 0; i < kLayers; ++i) {
@@ -272,6 +290,14 @@ TEST(Sums, StopAndNeverWrap) {
         EXPECT_TRUE(gnoIsDark(1));
         EXPECT_EQ(gnoTransmittanceSum(1), uvec3(GNO_TRANSMITTANCE_OPAQUE));
         EXPECT_EQ((std::vector<uint32_t>(sums.begin(), sums.begin() + 4)), std::vector<uint32_t>(4, 0)) << "the neighbour";
+    }
+}
+
+TEST(Sums, AreDarkWhenAllThreeStop) {
+    for (uint stopped = 0; stopped < 8; ++stopped) {
+        sums.assign(4, 0);
+        gnoAddTransmittance(0, uvec3(stopped & 1u, (stopped >> 1) & 1u, stopped >> 2) * GNO_TRANSMITTANCE_OPAQUE);
+        EXPECT_EQ(gnoIsDark(0), stopped == 7) << stopped;
     }
 }
 
