@@ -61,7 +61,9 @@ void expectOneMask(const test::Scene& scene, const Strings& names, const std::ve
     for (const auto precision : {Precision::conservative, Precision::certified}) {
         const auto got = masks(scene, names, precision, settings);
         for (size_t i = 0; i < got.size(); ++i) {
-            const test::Wrong wrong = test::compare({got[i], {}, {}, {}, {}, {}, {}}, want);
+            host::TechniqueResult result;
+            result.visibility = got[i];
+            const test::Wrong wrong = test::compare(result, want);
             if (precision == Precision::certified || fp32DecidesAlike) {
                 EXPECT_EQ(wrong.wrong, 0u) << name(precision) << ", " << names[i % names.size()] << " with "
                                            << testing::PrintToString(settings[i / names.size()]) << ", first wrong: sample " << wrong.first
@@ -118,7 +120,9 @@ TEST(TopTechniques, HardCases) {
         const std::vector<Strings> settings{{}};
         const auto got = masks(scene, kTop, Precision::certified, settings);
         for (size_t i = 0; i < got.size(); ++i) {
-            const test::Wrong wrong = test::compare({got[i], {}, {}, {}, {}, {}, {}}, want);
+            host::TechniqueResult result;
+            result.visibility = got[i];
+            const test::Wrong wrong = test::compare(result, want);
             EXPECT_EQ(wrong.wrong, 0u) << kTop[i] << ", leaks " << wrong.leaks << ", first wrong: sample " << wrong.first << " of own "
                                        << scene.samples[wrong.first].own << ", oracle's caster " << want.caster[wrong.first];
         }
