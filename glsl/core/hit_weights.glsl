@@ -20,7 +20,7 @@
 // Stages     any; may diverge; pure
 // Requires   #version 450, no extension, no optional device feature (no int64, no fp64)
 // Reads      nothing; writes nothing; declares no binding
-// Cost       81 umulExtended and about 1100 other integer operations; gnoWeightedMean: 3 umulExtended, 4 divisions
+// Cost       81 umulExtended, about two and a half exact signs of core/orient3d.glsl; gnoWeightedMean: 3 umulExtended, 4 divisions
 //
 // No macros.
 #ifndef GNO_CORE_HIT_WEIGHTS_GLSL

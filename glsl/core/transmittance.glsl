@@ -21,7 +21,8 @@
 //   passes     255 - coverage + round(coverage * colour * transmission / 255^2), colour = round(texel colour * factor / 65535)
 //              So without transmission blend lets 1 - alpha of white light through; KHR_materials_transmission is what colours it
 //   adds       gnoContribution of what passes. An opaque caster adds GNO_TRANSMITTANCE_OPAQUE to each channel
-// Vertex colours (COLOR_0), their alpha included, are not part of it.
+// Vertex colours (COLOR_0), their alpha included, are not part of it. Volumes are closed: a sample exactly in the plane through the light and an edge
+// that two triangles share lies in both volumes, and both contribute.
 //
 // Space      caster, light and p as in core/orient3d.glsl; p in the caster's shadow volume (gnoInShadowOf). Elsewhere some contribution, no error
 // Stages     any; may diverge; pure

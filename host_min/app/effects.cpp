@@ -11,18 +11,24 @@ namespace {
 
 const char* kindName(Light::Kind kind) {
     switch (kind) {
-        case Light::Kind::point: return "point_light";
-        case Light::Kind::directional: return "directional_light";
-        case Light::Kind::spot: return "spot_light";
+        case Light::Kind::point:
+            return "point_light";
+        case Light::Kind::directional:
+            return "directional_light";
+        case Light::Kind::spot:
+            return "spot_light";
     }
     return "";
 }
 
 const char* switchedOnBy(Light::Kind kind) {
     switch (kind) {
-        case Light::Kind::point: return "light with w = 1: planes through the light, bands relative to the distance from it";
-        case Light::Kind::directional: return "light with w = 0: planes along the direction, bands relative to the scene's radius";
-        case Light::Kind::spot: return "light with w = 1; the cone belongs to shading";
+        case Light::Kind::point:
+            return "light with w = 1: planes through the light, bands relative to the distance from it";
+        case Light::Kind::directional:
+            return "light with w = 0: planes along the direction, bands relative to the scene's radius";
+        case Light::Kind::spot:
+            return "light with w = 1; the cone belongs to shading";
     }
     return "";
 }
@@ -38,44 +44,60 @@ std::vector<Effect> effectsOf(const SceneFile& file, const Frame& frame, int lig
             count += frame.lights[i].kind == kind;
             defaults += frame.lights[i].kind == kind && frame.lights[i].isDefault;
         }
-        if (count > 0) effects.push_back({kindName(kind), fmt::format("{} such light{}{}", count, count > 1 ? "s" : "", defaults ? " (made by us: the file has none)" : ""), switchedOnBy(kind)});
+        if (count > 0)
+            effects.push_back({kindName(kind),
+                               fmt::format("{} such light{}{}", count, count > 1 ? "s" : "", defaults ? " (made by us: the file has none)" : ""),
+                               switchedOnBy(kind)});
     }
     const uint64_t triangles = frame.triangles.size(), closed = frame.facts.closedTriangles;
     if (closed > 0)
         effects.push_back({"closed_casters", fmt::format("{} of {} triangles belong to closed, consistently oriented meshes", closed, triangles),
                            "--set cull=front may drop those of them that face the light"});
     if (closed < triangles)
-        effects.push_back({"open_casters", fmt::format("{} of {} triangles do not", triangles - closed, triangles), "they cast from both sides and are never dropped by cull=front"});
+        effects.push_back({"open_casters", fmt::format("{} of {} triangles do not", triangles - closed, triangles),
+                           "they cast from both sides and are never dropped by cull=front"});
     uint64_t mask = 0, coloured = 0;
     for (const Surface& surface : frame.surfaces) {
         const Material& material = frame.look->materials[surface.material];
         mask += material.alpha == Material::Alpha::mask;
         coloured += material.alpha == Material::Alpha::blend || material.transmission > 0;
     }
-    constexpr const char* kByMaterial = "techniques with this effect look up material and texture where the light crosses a caster; others take it for opaque";
+    constexpr const char* kByMaterial =
+        "techniques with this effect look up material and texture where the light crosses a caster; others take it for opaque";
     if (mask > 0) effects.push_back({"alpha_tested_casters", fmt::format("{} triangles have an alpha-tested material", mask), kByMaterial});
-    if (coloured > 0) effects.push_back({"coloured_casters", fmt::format("{} triangles have a blended or transmitting material", coloured), kByMaterial});
+    if (coloured > 0)
+        effects.push_back({"coloured_casters", fmt::format("{} triangles have a blended or transmitting material", coloured), kByMaterial});
     if (frame.facts.animations > 0)
-        effects.push_back({"animation", fmt::format("{} animation{}, last keyframe at {:.2f} s", frame.facts.animations, frame.facts.animations > 1 ? "s" : "", file.lastKeyframe()),
+        effects.push_back({"animation",
+                           fmt::format("{} animation{}, last keyframe at {:.2f} s", frame.facts.animations, frame.facts.animations > 1 ? "s" : "",
+                                       file.lastKeyframe()),
                            "casters, camera and lights are evaluated anew for every --frame; structures are rebuilt every frame"});
     if (frame.facts.skins > 0) effects.push_back({"skins", fmt::format("{} skins", frame.facts.skins), "vertices are skinned on the CPU"});
-    if (frame.facts.morphTargets > 0) effects.push_back({"morph_targets", fmt::format("{} morph targets", frame.facts.morphTargets), "vertices are morphed on the CPU"});
+    if (frame.facts.morphTargets > 0)
+        effects.push_back({"morph_targets", fmt::format("{} morph targets", frame.facts.morphTargets), "vertices are morphed on the CPU"});
     return effects;
 }
 
 Choice chooseAutomatically(const Frame& frame, Precision precision) {
+    if (!frame.surfaces.empty())
+        return {&techniqueByName("ptsv"),
+                fmt::format("ptsv: {} of {} casters are alpha-tested or coloured, which the TOP tree's queries take for opaque",
+                            frame.surfaces.size(), frame.triangles.size())};
     return {&techniqueByName("d-hybrid"),
-            fmt::format("d-hybrid: {} casters, precision {}: of the techniques in this build it visits fewest nodes without the risk of a full stack", frame.triangles.size(), name(precision))};
+            fmt::format("d-hybrid: {} casters, precision {}: of the techniques in this build it visits fewest nodes without the risk of a full stack",
+                        frame.triangles.size(), name(precision))};
 }
 
 void printEffects(const SceneFile& file, const Frame& frame) {
-    fmt::print("{}: {} triangles in {} objects, {} light{}, {} camera{}\n", file.path().string(), frame.triangles.size(), frame.facts.objects, frame.lights.size(),
-               frame.lights.size() > 1 ? "s" : "", file.cameraCount(), file.cameraCount() > 1 ? "s" : "");
+    fmt::print("{}: {} triangles in {} objects, {} light{}, {} camera{}\n", file.path().string(), frame.triangles.size(), frame.facts.objects,
+               frame.lights.size(), frame.lights.size() > 1 ? "s" : "", file.cameraCount(), file.cameraCount() > 1 ? "s" : "");
     if (frame.facts.zeroArea > 0) fmt::print("{} triangles have no area on the grid: neither visible nor casters\n", frame.facts.zeroArea);
     if (frame.facts.duplicates > 0) fmt::print("{} triangles stand there twice: kept\n", frame.facts.duplicates);
-    if (frame.facts.pointOrLinePrimitives > 0) fmt::print("{} primitives of points or lines: they cast no shadow and are skipped\n", frame.facts.pointOrLinePrimitives);
-    for (const std::string& extension : frame.facts.ignoredExtensions) fmt::print("required extension {} concerns textures and materials only: ignored\n", extension);
-    for (const Effect& effect : effectsOf(file, frame, -1)) fmt::print("{:18} {}\n{:18} -> {}\n", effect.name, effect.because, "", effect.switchesOn);
+    if (frame.facts.pointOrLinePrimitives > 0)
+        fmt::print("{} primitives of points or lines: they cast no shadow and are skipped\n", frame.facts.pointOrLinePrimitives);
+    for (const std::string& extension : frame.facts.ignoredExtensions)
+        fmt::print("required extension {} concerns textures and materials only: ignored\n", extension);
+    for (const Effect& effect : effectsOf(file, frame, -1)) fmt::print("{:20} {}\n{:20} -> {}\n", effect.name, effect.because, "", effect.switchesOn);
     fmt::print("auto would run {}\n", chooseAutomatically(frame, Precision::certified).why);
 }
 

@@ -55,9 +55,20 @@ void FrameOutputs::add(const Technique& technique, const TechniqueResult& result
     const uint32_t w = inputs_.width(), h = inputs_.height();
     const Raster<uint8_t> visibility(w, h, narrow(result.visibility));
     ExrLayer layer{layerName, {{"visibility", visibility.pixels}}};
-    pictures_.push_back(
-        {layerName + "-shaded",
-         shadePicture({positions_, normals_, baseColors_, visibility, light_.homogeneous, light_.color, {0, 1, 0}, inputs_.viewer()})});
+    Raster<glm::vec3> passing(w, h);
+    for (size_t i = 0; i < result.sums.size(); ++i)
+        for (int channel = 0; channel < 3; ++channel)
+            passing.pixels[i][channel] = result.sums[i][channel] >= kNoLight ? 0.0f : std::exp2(-float(result.sums[i][channel]) / 65536.0f);
+    if (!result.sums.empty()) layers_.push_back(exrVectorLayer(layerName + ".passing", passing.pixels));
+    pictures_.push_back({layerName + "-shaded", shadePicture({positions_,
+                                                              normals_,
+                                                              baseColors_,
+                                                              visibility,
+                                                              light_.homogeneous,
+                                                              light_.color,
+                                                              {0, 1, 0},
+                                                              inputs_.viewer(),
+                                                              result.sums.empty() ? nullptr : &passing})});
     pictures_.push_back({layerName + "-mask", maskPicture(visibility)});
     const auto addHeatMap = [&](const std::vector<uint32_t>& values, const char* channel, const char* title, const char* unit) {
         if (values.empty()) return;
@@ -66,12 +77,17 @@ void FrameOutputs::add(const Technique& technique, const TechniqueResult& result
                              heatMap(Raster<uint32_t>(w, h, values), isSample_, {fmt::format("{}: {}", layerName, title), unit, {}})});
     };
     addHeatMap(result.visitedNodes, "visited_nodes", "visited nodes", "nodes");
+    addHeatMap(result.sampleTests, "sample_tests", "tests of a sample", "tests");
     addHeatMap(result.deepestStack, "stack", "deepest stack", "entries");
     if (answer) {
         Raster<uint8_t> want = visibility;
         size_t sample = 0;
-        for (size_t i = 0; i < want.size(); ++i)
-            if (isSample_[i]) want.pixels[i] = uint8_t(answer->inShadow[sample++] ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT);
+        for (size_t i = 0; i < want.size(); ++i) {
+            if (!isSample_[i]) continue;
+            const bool dark = result.sums.empty() ? answer->inShadow[sample] != 0 : answer->sums[sample] == glm::uvec3(kNoLight);
+            want.pixels[i] = uint8_t(dark ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT);
+            ++sample;
+        }
         pictures_.push_back({layerName + "-difference", differencePicture(visibility, want)});
     }
     layers_.push_back(std::move(layer));

@@ -16,9 +16,12 @@ uint32_t rounded(double value) { return static_cast<uint32_t>(std::floor(std::mi
 
 uint32_t wrapBits(Wrap wrap) {
     switch (wrap) {
-        case Wrap::repeat: return GNO_WRAP_REPEAT;
-        case Wrap::mirrored: return GNO_WRAP_MIRRORED;
-        case Wrap::clamp: return GNO_WRAP_CLAMP;
+        case Wrap::repeat:
+            return GNO_WRAP_REPEAT;
+        case Wrap::mirrored:
+            return GNO_WRAP_MIRRORED;
+        case Wrap::clamp:
+            return GNO_WRAP_CLAMP;
     }
     return GNO_WRAP_REPEAT;
 }
@@ -41,9 +44,10 @@ uint64_t texelCount(const MaterialSet& look) {
 uint64_t checkedTexelBytes(const Device& device, const MaterialSet& look) {
     const uint64_t bytes = 4 * texelCount(look), limit = device.facts().maxStorageBufferRange;
     if (bytes > limit)
-        throw InputError(fmt::format("the images of casters that are not opaque have {} texels, over the limit of {} that the device's "
-                                     "maxStorageBufferRange sets: use smaller images",
-                                     bytes / 4, limit / 4));
+        throw InputError(
+            fmt::format("the images of casters that are not opaque have {} texels, over the limit of {} that the device's "
+                        "maxStorageBufferRange sets: use smaller images",
+                        bytes / 4, limit / 4));
     return bytes;
 }
 
@@ -58,7 +62,9 @@ std::vector<GnoSurface> packSurfaces(const std::vector<Surface>& surfaces) {
 
 GnoMaterial packMaterial(const Material& from, const TextureImage* image, uint32_t firstTexel) {
     GnoMaterial to{};
-    to.kind = from.alpha == Material::Alpha::mask ? GNO_MATERIAL_MASK : from.alpha == Material::Alpha::blend ? GNO_MATERIAL_BLEND : GNO_MATERIAL_SOLID;
+    to.kind = from.alpha == Material::Alpha::mask    ? GNO_MATERIAL_MASK
+              : from.alpha == Material::Alpha::blend ? GNO_MATERIAL_BLEND
+                                                     : GNO_MATERIAL_SOLID;
     to.kind |= wrapBits(from.wrapU) << GNO_MATERIAL_WRAP_U | wrapBits(from.wrapV) << GNO_MATERIAL_WRAP_V;
     if (from.linearFilter) to.kind |= GNO_MATERIAL_LINEAR;
     if (image != nullptr) {
@@ -100,7 +106,8 @@ MaterialBuffers::MaterialBuffers(const Device& device, const Frame& frame)
     std::vector<GnoMaterial> materials;
     for (const Material& material : frame.look->materials) {
         const auto image = static_cast<size_t>(std::max(material.image, 0));
-        materials.push_back(material.image < 0 ? packMaterial(material, nullptr, 0) : packMaterial(material, &frame.look->images[image], firstTexels[image]));
+        materials.push_back(material.image < 0 ? packMaterial(material, nullptr, 0)
+                                               : packMaterial(material, &frame.look->images[image], firstTexels[image]));
     }
     of_.upload(std::span<const uint32_t>(frame.surfaceOf));
     surfaces_.upload(std::span<const GnoSurface>(packSurfaces(frame.surfaces)));

@@ -57,7 +57,7 @@ glm::vec3 backgroundColor(float share) { return glm::mix(glm::vec3(0.36f, 0.42f,
 
 Picture shadePicture(const ShadeInputs& in) {
     const std::size_t count = in.visibility.size();
-    if (in.position.size() != count || in.normal.size() != count || in.baseColor.size() != count)
+    if (in.position.size() != count || in.normal.size() != count || in.baseColor.size() != count || (in.passing && in.passing->size() != count))
         throw std::invalid_argument("shadePicture: all rasters need the size of the visibility");
     static const SrgbTable srgb;
     const float brightest = std::max({in.lightColor.x, in.lightColor.y, in.lightColor.z});
@@ -77,7 +77,8 @@ Picture shadePicture(const ShadeInputs& in) {
             const float sky = 0.5f + 0.5f * glm::dot(normal, in.up);
             glm::vec3 light = glm::mix(kGroundTint * kGround, kSkyTint * kSky, sky);
             light += kHeadlight * std::max(0.0f, glm::dot(normal, towards(in.viewer, position)));
-            if (visibility == GNO_VISIBILITY_LIT) light += sun * std::max(0.0f, glm::dot(normal, towards(in.light, position)));
+            const glm::vec3 arriving = in.passing ? sun * in.passing->at(x, y) : sun;
+            if (visibility == GNO_VISIBILITY_LIT) light += arriving * std::max(0.0f, glm::dot(normal, towards(in.light, position)));
             picture.at(x, y) = srgb(soften(in.baseColor.at(x, y) * light));
         }
     }

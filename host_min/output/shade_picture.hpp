@@ -18,10 +18,11 @@ struct ShadeInputs {
     const Raster<glm::vec3>& normal;     ///< unit, geometric, turned to the viewer
     const Raster<glm::vec3>& baseColor;  ///< linear, [0, 1]
     const Raster<uint8_t>& visibility;
-    glm::vec4 light;               ///< homogeneous, on the grid
-    glm::vec3 lightColor{1};       ///< linear; scaled so that its largest component is 1
-    glm::vec3 up{0, 1, 0};         ///< unit, on the grid: where the sky's share of the ambient light comes from
-    glm::vec4 viewer{0, 0, 0, 1};  ///< homogeneous, on the grid: for the small share of the light that comes from the viewer
+    glm::vec4 light;                             ///< homogeneous, on the grid
+    glm::vec3 lightColor{1};                     ///< linear; scaled so that its largest component is 1
+    glm::vec3 up{0, 1, 0};                       ///< unit, on the grid: where the sky's share of the ambient light comes from
+    glm::vec4 viewer{0, 0, 0, 1};                ///< homogeneous, on the grid: for the small share of the light that comes from the viewer
+    const Raster<glm::vec3>* passing = nullptr;  ///< share of the light that arrives where the visibility says lit, [0, 1]; null: all of it
 };
 
 /// Lambert's law without fall-off, light from sky and ground, background a soft gradient.

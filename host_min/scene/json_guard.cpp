@@ -46,7 +46,8 @@ bool changesNoGeometry(std::string_view name) {
     return name == "MSFT_texture_dds" || std::any_of(prefixes.begin(), prefixes.end(), [&](auto p) { return name.starts_with(p); });
 }
 
-const Names kHandled{"KHR_lights_punctual", "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_materials_transmission", "KHR_texture_transform"};
+const Names kHandled{"KHR_lights_punctual", "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_materials_transmission",
+                     "KHR_texture_transform"};
 
 void checkRequiredExtensions(const Json& root, std::vector<std::string>& ignored) {
     const auto required = root.find("extensionsRequired");
@@ -124,7 +125,8 @@ void pruneAndCheck(Json& value) {
         return;
     }
     if (!value.is_object()) return;
-    for (const char* key : {"extras", "normalTexture", "occlusionTexture", "emissiveTexture", "metallicRoughnessTexture", "transmissionTexture", "min", "max"})
+    for (const char* key :
+         {"extras", "normalTexture", "occlusionTexture", "emissiveTexture", "metallicRoughnessTexture", "transmissionTexture", "min", "max"})
         value.erase(key);
     if (const auto extensions = value.find("extensions"); extensions != value.end()) {
         if (!extensions->is_object()) throw InputError("extensions is not an object");

@@ -20,9 +20,9 @@ struct Material {
     glm::vec4 baseColor{0.8f, 0.8f, 0.8f, 1.0f};  ///< linear, glTF baseColorFactor
     float transmission = 0;                       ///< KHR_materials_transmission: its factor (its texture is not read)
     bool textured = false;                        ///< has a base colour texture
-    int image = -1;                             ///< index into MaterialSet::images; -1: none, or an opaque material, whose image nobody needs
+    int image = -1;                               ///< index into MaterialSet::images; -1: none, or an opaque material, whose image nobody needs
     Wrap wrapU = Wrap::repeat, wrapV = Wrap::repeat;
-    bool linearFilter = true;                     ///< bilinear; otherwise the nearest texel
+    bool linearFilter = true;  ///< bilinear; otherwise the nearest texel
     bool doubleSided = false;
 
     /// Nothing passes it anywhere: no image of it is read.
@@ -36,8 +36,8 @@ struct TextureImage {
 };
 
 struct MaterialSet {
-    std::vector<Material> materials;  ///< the last entry is glTF's default material
-    std::vector<TextureImage> images;    ///< those of the materials that are not opaque
+    std::vector<Material> materials;   ///< the last entry is glTF's default material
+    std::vector<TextureImage> images;  ///< those of the materials that are not opaque
 };
 
 /// A triangle that is not opaque: where its vertices lie in the image, in 1/256 texel (glsl/core/material.h), 0 without a image.

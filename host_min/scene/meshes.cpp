@@ -84,21 +84,22 @@ std::vector<glm::uvec3> readTriangles(const tinygltf::Primitive& primitive, cons
 }
 
 // Texel coordinates of a primitive's triangles, for a material that is not opaque; all 0 where it has no image.
-std::vector<std::array<glm::ivec2, 3>> readCorners(const tinygltf::Primitive& primitive, Accessors& accessors, const Textures& textures, uint32_t material,
-                                                   const std::vector<glm::uvec3>& triangles, size_t vertexCount, const std::string& what) {
+std::vector<std::array<glm::ivec2, 3>> readCorners(const tinygltf::Primitive& primitive, Accessors& accessors, const Textures& textures,
+                                                   uint32_t material, const std::vector<glm::uvec3>& triangles, size_t vertexCount,
+                                                   const std::string& what) {
     std::vector<std::array<glm::ivec2, 3>> corners(triangles.size());
     if (textures.material(material).image < 0) return corners;
     const std::string name = fmt::format("TEXCOORD_{}", textures.coordinateSet(material));
     const int index = attribute(primitive.attributes, name.c_str());
     if (index < 0) throw InputError(fmt::format("{} lacks {}, which its material {} needs", what, name, material));
     const std::vector<double>& uv = accessors.values(index, TINYGLTF_TYPE_VEC2, what + " " + name);
-    if (uv.size() != vertexCount * 2)
-        throw InputError(fmt::format("{}: {} has {} entries for {} vertices", what, name, uv.size() / 2, vertexCount));
+    if (uv.size() != vertexCount * 2) throw InputError(fmt::format("{}: {} has {} entries for {} vertices", what, name, uv.size() / 2, vertexCount));
     for (size_t i = 0; i < triangles.size(); ++i) {
         const auto at = [&](uint32_t vertex) { return glm::dvec2(uv[size_t{vertex} * 2], uv[size_t{vertex} * 2 + 1]); };
         const std::array<glm::dvec2, 3> three{at(triangles[i].x), at(triangles[i].y), at(triangles[i].z)};
         for (const glm::dvec2& one : three)
-            if (!(std::abs(one.x) <= kLargestNumber && std::abs(one.y) <= kLargestNumber)) throw InputError(fmt::format("{}: {} is not finite", what, name));
+            if (!(std::abs(one.x) <= kLargestNumber && std::abs(one.y) <= kLargestNumber))
+                throw InputError(fmt::format("{}: {} is not finite", what, name));
         try {
             corners[i] = textures.corners(material, three);
         } catch (const InputError& error) {

@@ -26,7 +26,8 @@ TextureImage decodeImage(const std::vector<unsigned char>& bytes, const std::str
     const auto size = static_cast<int>(bytes.size());
     int width = 0, height = 0, channels = 0;
     if (stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) == 0 || width < 1 || height < 1)
-        throw InputError(fmt::format("{} is not a PNG or JPEG that can be read ({})", what, stbi_failure_reason() ? stbi_failure_reason() : "unknown"));
+        throw InputError(
+            fmt::format("{} is not a PNG or JPEG that can be read ({})", what, stbi_failure_reason() ? stbi_failure_reason() : "unknown"));
     if (static_cast<uint64_t>(width) * static_cast<uint64_t>(height) > mostTexels)
         throw InputError(fmt::format("{} has {} x {} texels; all images together may have {}", what, width, height, mostTexels));
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);

@@ -17,9 +17,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr uint64_t kMostTexels = 1ull << 27;                                      // of all images
+constexpr uint64_t kMostTexels = 1ull << 27;                                        // of all images
 constexpr int kNearest = 9728, kClamp = 33071, kMirrored = 33648, kRepeat = 10497;  // glTF's numbers, and OpenGL's
-constexpr double kLargestCoordinate = 1 << 30;                                    // 1/256 texel
+constexpr double kLargestCoordinate = 1 << 30;                                      // 1/256 texel
 
 /// Entry `index` of the file's list `list`; `what` names who asks.
 const Json& entryOf(const Json& lists, const char* list, int64_t index, const std::string& what) {
@@ -74,7 +74,9 @@ TextureTransform transformOf(const tinygltf::Value& extension, const std::string
 std::string unescaped(const std::string& uri) {
     std::string text;
     for (size_t i = 0; i < uri.size(); ++i) {
-        const auto digit = [&](size_t at) { return at < uri.size() ? std::string("0123456789abcdef").find(static_cast<char>(std::tolower(uri[at]))) : std::string::npos; };
+        const auto digit = [&](size_t at) {
+            return at < uri.size() ? std::string("0123456789abcdef").find(static_cast<char>(std::tolower(uri[at]))) : std::string::npos;
+        };
         if (uri[i] == '%' && digit(i + 1) != std::string::npos && digit(i + 2) != std::string::npos) {
             text.push_back(static_cast<char>(digit(i + 1) * 16 + digit(i + 2)));
             i += 2;
@@ -142,7 +144,8 @@ void Textures::loadTexture(uint32_t number) {
     }
     const int source = wholeMember(texture, "source", -1, textureName);
     if (source < 0)
-        throw InputError(fmt::format("{} has no PNG or JPEG; {} ({}) casts by its alpha: give it one, or make it opaque", textureName, what, material.name));
+        throw InputError(
+            fmt::format("{} has no PNG or JPEG; {} ({}) casts by its alpha: give it one, or make it opaque", textureName, what, material.name));
     material.image = loadImage(static_cast<size_t>(source));
 }
 
@@ -158,7 +161,8 @@ int Textures::loadImage(size_t image) {
 std::vector<unsigned char> Textures::imageBytes(size_t image, const std::string& what) const {
     const Json& entry = entryOf(lists_, "images", static_cast<int64_t>(image), "a texture");
     if (const int number = wholeMember(entry, "bufferView", -1, what); number >= 0) {
-        if (static_cast<size_t>(number) >= model_.bufferViews.size()) throw InputError(fmt::format("{}: buffer view {} does not exist", what, number));
+        if (static_cast<size_t>(number) >= model_.bufferViews.size())
+            throw InputError(fmt::format("{}: buffer view {} does not exist", what, number));
         const auto& view = model_.bufferViews[static_cast<size_t>(number)];
         if (view.buffer < 0 || static_cast<size_t>(view.buffer) >= model_.buffers.size())
             throw InputError(fmt::format("{}: buffer {} does not exist", what, view.buffer));

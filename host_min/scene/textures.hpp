@@ -58,7 +58,7 @@ private:
     const nlohmann::json& lists_;
     std::filesystem::path folder_;
     std::shared_ptr<MaterialSet> set_;
-    std::vector<Place> places_;      ///< one per material
+    std::vector<Place> places_;     ///< one per material
     std::map<size_t, int> images_;  ///< image of the file -> index into MaterialSet::images
     uint64_t texels_ = 0;
 };

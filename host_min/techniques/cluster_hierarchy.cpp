@@ -45,6 +45,17 @@ uint32_t checkedSize(const FrameInputs& inputs, const GnoClusterLayout& layout, 
     return inputs.triangleCount();
 }
 
+uint64_t sumBytes(const FrameInputs& inputs, const ClusterOptions& options) {
+    const uint64_t bytes = options.layers ? 16 * uint64_t(inputs.width()) * inputs.height() : 0;
+    const uint64_t limit = inputs.device().facts().maxStorageBufferRange;
+    if (bytes > limit)
+        throw InputError(
+            fmt::format("{}x{}: what casters let through takes {} bytes, over the device's maxStorageBufferRange of {}: use a smaller --size, or "
+                        "--set materials=off",
+                        inputs.width(), inputs.height(), bytes, limit));
+    return bytes;
+}
+
 /// Groups of 64 in rows that stay below the limit on either axis.
 std::array<uint32_t, 2> rowsOf64(uint32_t count) {
     const uint32_t groups = std::max(1u, (count + 63) / 64);
@@ -88,6 +99,7 @@ ClusterHierarchy::ClusterHierarchy(const FrameInputs& inputs, const ClusterOptio
       volumes_(inputs.device(), 112 * uint64_t(inputs.triangleCount())),
       info_(inputs.device(), 8 * uint64_t(inputs.triangleCount())),
       jobs_(inputs.device(), options.split > 0 ? 8 * uint64_t(options.jobCapacity) : 0),
+      sums_(inputs.device(), sumBytes(inputs, options)),
       totals_(inputs.device(), 8 * kTotals),
       steps_(inputs.device(), 4),
       counts_(inputs.device(), inputs.width(), inputs.height(), vk::Format::eR32Uint) {
@@ -110,31 +122,39 @@ const ComputePass& ClusterHierarchy::pass(const std::string& name, uint32_t what
     Specialization constants{{20, layout_.form}};
     if (name == "tiles.comp") constants[10] = layout_.form == GNO_CLUSTER_FLAT ? 32 : 64;
     if (name == "tiles.comp" || name == "up.comp") constants[21] = what;
-    if (name.starts_with("traverse.comp")) constants[22] = which;
-    if (name.starts_with("traverse.comp") || name == "volumes.comp") constants[0] = uint32_t(options_.precision);
+    if (name.starts_with("traverse")) constants[22] = which;
+    if (name.starts_with("traverse") || name == "volumes.comp") constants[0] = uint32_t(options_.precision);
     if (name == "finish_size.comp") constants[23] = options_.groups;
     return inputs_.passes().compute("clusters/examples/" + name, constants);
 }
 
 std::vector<Binding> ClusterHierarchy::resources(const Image* visibility) const {
-    return {{"gnoClusterFrame", &frame_},
-            {"gnoClusterHeader", &header_},
-            {"gnoClusterSliceTable", &slices_},
-            {"gnoClusterMasks", &masks_},
-            {"gnoClusterShade", &shade_},
-            {"gnoClusterLow", &low_},
-            {"gnoClusterHigh", &high_},
-            {"gnoClusterPointers", &pointers_},
-            {"gnoClusterVolumes", &volumes_},
-            {"gnoClusterInfo", &info_},
-            {"gnoClusterJobs", &jobs_},
-            {"gnoCasters", &inputs_.casters()},
-            {"gnoStates", &inputs_.states()},
-            {"gnoSamples", &inputs_.samples()},
-            {"gnoTotals", &totals_},
-            {"gnoSteps", &steps_},
-            {"gnoCounts", &counts_},
-            {"gnoVisibility", visibility ? visibility : &counts_}};
+    std::vector<Binding> all{{"gnoClusterFrame", &frame_},
+                             {"gnoClusterHeader", &header_},
+                             {"gnoClusterSliceTable", &slices_},
+                             {"gnoClusterMasks", &masks_},
+                             {"gnoClusterShade", &shade_},
+                             {"gnoClusterLow", &low_},
+                             {"gnoClusterHigh", &high_},
+                             {"gnoClusterPointers", &pointers_},
+                             {"gnoClusterVolumes", &volumes_},
+                             {"gnoClusterInfo", &info_},
+                             {"gnoClusterJobs", &jobs_},
+                             {"gnoCasters", &inputs_.casters()},
+                             {"gnoStates", &inputs_.states()},
+                             {"gnoSamples", &inputs_.samples()},
+                             {"gnoTotals", &totals_},
+                             {"gnoSteps", &steps_},
+                             {"gnoCounts", &counts_},
+                             {"gnoVisibility", visibility ? visibility : &counts_}};
+    if (options_.layers) {
+        const MaterialBuffers& materials = inputs_.materials();
+        for (const Binding& more :
+             {Binding{"gnoMaterialOf", &materials.of()}, Binding{"gnoSurfaces", &materials.surfaces()}, Binding{"gnoMaterials", &materials.list()},
+              Binding{"gnoTexels", &materials.texels()}, Binding{"gnoTransmittances", &sums_}})
+            all.push_back(more);
+    }
+    return all;
 }
 
 void ClusterHierarchy::recordBuild(Recording& recording) const {
@@ -169,6 +189,7 @@ void ClusterHierarchy::recordSetUp(Recording& recording) const {
     const ExamplePush push = inputs_.push();
     const auto casters = rowsOfCasters(inputs_.triangleCount());
     recording.beginPass("cluster_setup");
+    if (options_.layers) pass("clear_sums.comp").dispatch(recording, resources(nullptr), {}, (inputs_.width() + 7) / 8, (inputs_.height() + 7) / 8);
     pass("volumes.comp").dispatch(recording, resources(nullptr), std::as_bytes(std::span(&push, 1)), casters[0], casters[1]);
     recording.endPass();
 }
@@ -177,7 +198,8 @@ void ClusterHierarchy::recordPass(Recording& recording, uint32_t which, bool cou
     const std::vector<Binding> all = resources(nullptr);
     const ExamplePush push = inputs_.push();
     const auto bytes = std::as_bytes(std::span(&push, 1));
-    const ComputePass& traverse = pass(counters ? "traverse.comp.counters" : "traverse.comp", 3, which);
+    const std::string name = options_.layers ? "traverse_layers.comp" : "traverse.comp";
+    const ComputePass& traverse = pass(counters ? name + ".counters" : name, 3, which);
     recording.beginPass(which == 1 ? "cluster_expand" : "cluster_finish");
     if (which == 1) {
         traverse.dispatch(recording, all, bytes, options_.groups);
@@ -191,7 +213,8 @@ void ClusterHierarchy::recordPass(Recording& recording, uint32_t which, bool cou
 
 void ClusterHierarchy::recordMerge(Recording& recording, const Image& visibility) const {
     recording.beginPass("cluster_merge");
-    pass("merge.comp").dispatch(recording, resources(&visibility), {}, (inputs_.width() + 7) / 8, (inputs_.height() + 7) / 8);
+    pass(options_.layers ? "merge_layers.comp" : "merge.comp")
+        .dispatch(recording, resources(&visibility), {}, (inputs_.width() + 7) / 8, (inputs_.height() + 7) / 8);
     recording.endPass();
 }
 
@@ -253,11 +276,21 @@ ClusterCounters ClusterHierarchy::count(const Image& visibility) {
     return counters;
 }
 
+std::vector<glm::uvec3> ClusterHierarchy::sums() const {
+    const auto words = sums_.downloadAs<glm::uvec4>();
+    std::vector<glm::uvec3> result(size_t(inputs_.width()) * inputs_.height());
+    for (size_t i = 0; i < result.size(); ++i)
+        for (int channel = 0; channel < 3; ++channel)
+            result[i][channel] = (words[i].w >> channel & 1u) != 0 ? GNO_TRANSMITTANCE_OPAQUE : words[i][channel];
+    return result;
+}
+
 NamedNumbers ClusterHierarchy::bytes() const {
     NamedNumbers result{{"masks", masks_.bytes()}, {"shade", shade_.bytes()}, {"volumes", volumes_.bytes() + info_.bytes()}};
     if (layout_.form != GNO_CLUSTER_IMPLICIT) result.push_back({"bounds", low_.bytes() + high_.bytes()});
     if (layout_.form == GNO_CLUSTER_COMPACT) result.push_back({"pointers", pointers_.bytes()});
     if (options_.split > 0) result.push_back({"jobs", jobs_.bytes()});
+    if (options_.layers) result.push_back({"materials", inputs_.materials().bytes() + sums_.bytes()});
     return result;
 }
 

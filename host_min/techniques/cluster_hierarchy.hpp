@@ -17,6 +17,7 @@ struct ClusterOptions {
     uint32_t groups = 64;  ///< work groups of the traversal
     uint32_t jobCapacity = 1u << 20;
     uint32_t boxCapacity = 1u << 19;  ///< compact only
+    bool layers = false;              ///< look up what casters let through; the inputs have materials
 };
 
 /// Of the instrumented run.
@@ -45,6 +46,9 @@ public:
     /// Runs the instrumented variant once, the answer included.
     [[nodiscard]] ClusterCounters count(const Image& visibility);
 
+    /// Per pixel, after a run; with layers only (TechniqueResult::sums).
+    [[nodiscard]] std::vector<glm::uvec3> sums() const;
+
     [[nodiscard]] const GnoClusterLayout& layout() const { return layout_; }
     [[nodiscard]] NamedNumbers bytes() const;
     [[nodiscard]] std::vector<DumpedBuffer> dump() const;
@@ -60,7 +64,7 @@ private:
     const FrameInputs& inputs_;
     ClusterOptions options_;
     GnoClusterLayout layout_;
-    Buffer frame_, header_, slices_, masks_, shade_, low_, high_, pointers_, volumes_, info_, jobs_;
+    Buffer frame_, header_, slices_, masks_, shade_, low_, high_, pointers_, volumes_, info_, jobs_, sums_;
     Buffer totals_, steps_;
     Image counts_;
 };

@@ -38,7 +38,7 @@ public:
         info_.paper = flat ? "Per-triangle shadow volumes, SIGGRAPH Asia 2011 (two-dimensional hierarchy)"
                            : "Per-Triangle Shadow Volumes Using a View-Sample Cluster Hierarchy, I3D 2014";
         info_.precisions = {Precision::published, Precision::conservative, Precision::certified};
-        info_.effects = {"point_light", "directional_light", "spot_light", "open_casters"};
+        info_.effects = {"point_light", "directional_light", "spot_light", "open_casters", "alpha_tested_casters", "coloured_casters"};
         info_.subgroupBallot = true;
         if (!flat) {
             info_.settings.push_back({"bounds",
@@ -60,6 +60,8 @@ public:
                                   0,
                                   {"own", "extra"},
                                   "extra"});
+        info_.settings.push_back(
+            {"materials", "what alpha-tested and coloured casters let through; off: they cast as opaque ones", 0, 0, {"on", "off"}, "on"});
         info_.settings.push_back({"groups", "work groups of the traversal", 1, 65535, {}, "64"});
     }
 
@@ -76,6 +78,7 @@ public:
         choice.jobCapacity = settings.number("jobs");
         choice.extraPlanes = settings.word("planes") == "extra";
         choice.groups = settings.number("groups");
+        choice.layers = inputs.hasMaterials() && settings.word("materials") == "on";
         ClusterHierarchy hierarchy(inputs, choice);
 
         Image visibility(inputs.device(), inputs.width(), inputs.height(), vk::Format::eR32Uint);
@@ -89,13 +92,14 @@ public:
             result.passes.push_back({pass.name, pass.ms});
         result.bytes = hierarchy.bytes();
         result.visibility = visibility.downloadAs<uint32_t>();
+        if (choice.layers) result.sums = hierarchy.sums();
         if (options.dump) result.dump = hierarchy.dump();
         return result;
     }
 
 private:
     static void count(const ClusterCounters& counters, const GnoClusterLayout& layout, const ClusterOptions& choice, TechniqueResult& result) {
-        result.visitedNodes = counters.testsOfPixel;
+        result.sampleTests = counters.testsOfPixel;
         RecordCounters& totals = result.counters;
         totals.visitedNodes = counters.nodeTests;
         totals.exactCalls = counters.exactCalls;

@@ -46,6 +46,7 @@ struct TechniqueResult {
     std::vector<uint32_t> visibility;      ///< GNO_VISIBILITY_* per pixel
     std::vector<glm::uvec3> sums;          ///< per pixel, core/transmittance.glsl; shadow is where all three are kNoLight. Empty: every caster taken for opaque
     std::vector<uint32_t> visitedNodes;    ///< per pixel; empty where the technique has none, or without counters
+    std::vector<uint32_t> sampleTests;     ///< per pixel: how often it was tested against a shadow volume; the same
     std::vector<uint32_t> deepestStack;    ///< per pixel; the same
     std::vector<RecordPass> passes;        ///< structure first
     NamedNumbers bytes;

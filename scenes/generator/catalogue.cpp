@@ -20,6 +20,7 @@ const std::vector<Kind>& catalogue() {
         {"gate", "VILLA (2014): bars near the camera, trees far behind", true, 100000, 20000, 1000000, buildGate, nullptr},
         {"fuzzy", "FUZZY (2014): very dense casters", false, 400000, 4000, 2000000, buildFuzzy, nullptr},
         {"grass", "blades through a ground that is the first caster", false, 200000, 2000, 2000000, buildGrass, nullptr},
+        {"leaves", "alpha-masked leaf cards, lattices, coloured and veiled panes", false, 8000, 600, 400000, buildLeaves, nullptr},
     };
     return kinds;
 }

@@ -41,5 +41,6 @@ Draft buildGate(double detail, uint64_t seed);
 Draft buildFuzzy(double detail, uint64_t seed);
 Draft buildRoom(double detail, uint64_t seed);
 Draft buildGrass(double detail, uint64_t seed);
+Draft buildLeaves(double detail, uint64_t seed);
 
 }  // namespace gno::scenes

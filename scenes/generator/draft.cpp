@@ -19,8 +19,10 @@ Mesh& Model::of(uint32_t material) {
     return parts.back().mesh;
 }
 
-uint32_t Draft::material(const std::string& name, const glm::dvec3& color) {
-    materials.push_back({name, color});
+uint32_t Draft::material(const std::string& name, const glm::dvec3& color) { return material({name, color}); }
+
+uint32_t Draft::material(const Material& added) {
+    materials.push_back(added);
     return static_cast<uint32_t>(materials.size() - 1);
 }
 

@@ -2,6 +2,7 @@
 // A scene while it is being made: what a GLB file holds, without its encoding.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,9 +14,20 @@ namespace gno::scenes {
 
 inline constexpr int kFrames = 60;  ///< keyframes of the animation, at frame / 30 seconds
 
+/// 8 bits a channel: red, green and blue in sRGB, alpha; rows from the top.
+struct Texture {
+    uint32_t width = 0, height = 0;
+    std::vector<uint8_t> rgba;
+    bool nearest = false;  ///< the filter; bilinear otherwise
+    int wrap = 10497;      ///< glTF's number, for both axes: 10497 repeat, 33648 mirrored, 33071 clamp
+};
+
 struct Material {
     std::string name;
     glm::dvec3 color;  ///< linear
+    std::string alphaMode{};
+    double opacity = 1, cutoff = 0.5, transmission = 0;
+    int texture = -1;
 };
 
 struct Part {
@@ -62,6 +74,7 @@ struct Track {
 };
 
 struct Draft {
+    std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<Model> models;
     std::vector<Node> nodes;  ///< parents before their children
@@ -70,6 +83,7 @@ struct Draft {
     double yfov = 0.8, znear = 0.05;
 
     uint32_t material(const std::string& name, const glm::dvec3& color);
+    uint32_t material(const Material& material);
     int model(Model model);  ///< its index; empty parts are dropped
     int place(int model, const glm::dvec3& translation, const glm::dquat& rotation = {1, 0, 0, 0}, const glm::dvec3& scale = glm::dvec3(1),
               int parent = -1);

@@ -8,6 +8,9 @@
 
 namespace gno::scenes {
 
+/// A PNG file, not compressed: the same bytes from every library.
+std::string encodePng(const Texture& texture);
+
 /// The bytes of a GLB file of the draft: the same draft gives the same bytes.
 std::string encodeGlb(const Draft& draft, const std::string& name);
 

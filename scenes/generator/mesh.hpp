@@ -24,6 +24,7 @@ Placement at(const glm::dvec3& offset, const glm::dquat& rotation, const glm::dv
 struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<uint32_t> indices;  ///< three a triangle
+    std::vector<glm::vec2> uv;      ///< texture coordinates, one per position; empty: none. Only the meshes that have a texture fill them
 
     [[nodiscard]] size_t triangleCount() const { return indices.size() / 3; }
     uint32_t vertex(const glm::dvec3& position);

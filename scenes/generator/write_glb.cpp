@@ -26,20 +26,24 @@ public:
 
     Encoder() { file.buffers.emplace_back(); }
 
-    template <class T>
-    int add(const std::vector<T>& values, int componentType, int type, size_t components, int target) {
+    int addView(const void* bytes, size_t length, int target) {
         auto& data = file.buffers[0].data;
         while (data.size() % 4 != 0) data.push_back(0);
         tinygltf::BufferView view;
         view.buffer = 0;
         view.byteOffset = data.size();
-        view.byteLength = values.size() * sizeof(T);
+        view.byteLength = length;
         view.target = target;
-        const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
-        data.insert(data.end(), bytes, bytes + view.byteLength);
+        const auto* first = static_cast<const unsigned char*>(bytes);
+        data.insert(data.end(), first, first + length);
         file.bufferViews.push_back(view);
+        return static_cast<int>(file.bufferViews.size()) - 1;
+    }
+
+    template <class T>
+    int add(const std::vector<T>& values, int componentType, int type, size_t components, int target) {
         tinygltf::Accessor accessor;
-        accessor.bufferView = static_cast<int>(file.bufferViews.size()) - 1;
+        accessor.bufferView = addView(values.data(), values.size() * sizeof(T), target);
         accessor.componentType = componentType;
         accessor.type = type;
         accessor.count = values.size() / components;
@@ -68,6 +72,11 @@ public:
         std::vector<float> floats;
         for (const glm::vec3& p : part.mesh.positions) floats.insert(floats.end(), {p.x, p.y, p.z});
         primitive.attributes["POSITION"] = addFloats(floats, TINYGLTF_TYPE_VEC3, 3, TINYGLTF_TARGET_ARRAY_BUFFER, true);
+        if (!part.mesh.uv.empty()) {
+            floats.clear();
+            for (const glm::vec2& uv : part.mesh.uv) floats.insert(floats.end(), {uv.x, uv.y});
+            primitive.attributes["TEXCOORD_0"] = addFloats(floats, TINYGLTF_TYPE_VEC2, 2, TINYGLTF_TARGET_ARRAY_BUFFER, false);
+        }
         const std::vector<uint32_t>& wide = part.mesh.indices;
         if (part.mesh.positions.size() < 65535) {
             std::vector<uint16_t> narrow;
@@ -77,6 +86,44 @@ public:
             primitive.indices = add(wide, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, 1, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
         }
         return primitive;
+    }
+
+    void addTexture(const Texture& from) {
+        const std::string png = encodePng(from);
+        tinygltf::Image image;
+        image.mimeType = "image/png";
+        image.bufferView = addView(png.data(), png.size(), 0);
+        file.images.push_back(image);
+        tinygltf::Sampler sampler;
+        sampler.magFilter = from.nearest ? TINYGLTF_TEXTURE_FILTER_NEAREST : TINYGLTF_TEXTURE_FILTER_LINEAR;
+        sampler.wrapS = sampler.wrapT = from.wrap;
+        file.samplers.push_back(sampler);
+        tinygltf::Texture texture;
+        texture.source = texture.sampler = static_cast<int>(file.images.size()) - 1;
+        file.textures.push_back(texture);
+    }
+
+    void addMaterial(const Material& from) {
+        tinygltf::Material out;
+        out.name = from.name;
+        std::vector<double> color = list(from.color);
+        color.push_back(static_cast<float>(from.opacity));
+        out.pbrMetallicRoughness.baseColorFactor = color;
+        out.pbrMetallicRoughness.baseColorTexture.index = from.texture;
+        out.pbrMetallicRoughness.metallicFactor = 0;
+        if (!from.alphaMode.empty()) {
+            out.alphaMode = from.alphaMode;
+            out.doubleSided = true;
+        }
+        if (from.alphaMode == "MASK") out.alphaCutoff = static_cast<float>(from.cutoff);
+        if (from.transmission > 0) {
+            out.extensions["KHR_materials_transmission"] = tinygltf::Value(
+                tinygltf::Value::Object{{"transmissionFactor", tinygltf::Value(static_cast<double>(static_cast<float>(from.transmission)))}});
+            const std::string name = "KHR_materials_transmission";
+            if (std::find(file.extensionsUsed.begin(), file.extensionsUsed.end(), name) == file.extensionsUsed.end())
+                file.extensionsUsed.push_back(name);
+        }
+        file.materials.push_back(out);
     }
 
     void addChannel(tinygltf::Animation& animation, const Track& track, const char* path, int times, int values) {
@@ -156,15 +203,8 @@ std::string encodeGlb(const Draft& draft, const std::string& name) {
     tinygltf::Model& file = encoder.file;
     file.asset.version = "2.0";
     file.asset.generator = "gnomon-scenes " + name;
-    for (const Material& material : draft.materials) {
-        tinygltf::Material out;
-        out.name = material.name;
-        std::vector<double> color = list(material.color);
-        color.push_back(1);
-        out.pbrMetallicRoughness.baseColorFactor = color;
-        out.pbrMetallicRoughness.metallicFactor = 0;
-        file.materials.push_back(out);
-    }
+    for (const Texture& texture : draft.textures) encoder.addTexture(texture);
+    for (const Material& material : draft.materials) encoder.addMaterial(material);
     for (const Model& model : draft.models) {
         tinygltf::Mesh mesh;
         mesh.name = model.name;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// gnomon-bench-clusters paths|jobs|sizes|against SCENE... : the measurements of the cluster hierarchy as Markdown tables. Operations do not depend on
-// the machine (a few differ from run to run: who clears a bit first spares others the test); times are to be read as ratios within one run.
+// gnomon-bench-clusters paths|jobs|sizes|against|product SCENE... : the measurements of the cluster hierarchy as Markdown tables. Operations do not
+// depend on the machine (a few differ from run to run: who clears a bit first spares others the test); times are to be read as ratios within one run.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -16,7 +16,9 @@ int run(int argc, char** argv) {
     CLI::App app("gnomon-bench-clusters: measurements of the cluster hierarchy as Markdown tables");
     bench::ClusterJob job;
     std::string table, size = "1024x1024", cull = "front", precision = "certified";
-    app.add_option("TABLE", table, "paths, jobs, sizes or against")->required()->check(CLI::IsMember({"paths", "jobs", "sizes", "against"}));
+    app.add_option("TABLE", table, "paths, jobs, sizes, against or product")
+        ->required()
+        ->check(CLI::IsMember({"paths", "jobs", "sizes", "against", "product"}));
     app.add_option("SCENE", job.scenes, ".glb files")->required()->check(CLI::ExistingFile);
     app.add_option("--size", size, "WIDTHxHEIGHT")->capture_default_str();
     app.add_option("--light", job.light, "index of the light")->capture_default_str();
@@ -25,6 +27,11 @@ int run(int argc, char** argv) {
     app.add_option("--cull", cull, "none, front, hull or all")->capture_default_str()->check(CLI::IsMember({"none", "front", "hull", "all"}));
     app.add_option("--precision", precision, "published, conservative or certified")->capture_default_str();
     app.add_option("--csv", job.csv, "file for the numbers of every frame (paths)");
+    app.add_option("--keep", job.keep, "folder to write the view samples to (product)")->check(CLI::ExistingDirectory);
+    app.add_option(
+           "--given", job.given,
+           "folder to take the view samples from instead of rasterising (product): a driver that cannot rasterise at a subgroup width still computes")
+        ->check(CLI::ExistingDirectory);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
@@ -42,6 +49,7 @@ int run(int argc, char** argv) {
     host::PassCache passes(device);
     fmt::print("{}, {} {}, subgroup width {}; {}, light {}, cull {}, precision {}\n\n", device.facts().deviceName, device.facts().driverName,
                device.facts().driverInfo, device.facts().subgroupSize, table == "sizes" ? "three sizes" : size, job.light, cull, precision);
+    if (table == "product") return bench::printProduct(passes, job) == 0 ? 0 : 1;
     if (table == "paths")
         bench::printPaths(passes, job);
     else if (table == "jobs")

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <ostream>
 
 #include "host_min/error.hpp"
@@ -22,9 +21,12 @@ struct Variant {
 };
 
 const std::vector<Variant> kVariants{
-    {"2011, own planes", "ptsv-2011", {"planes=own"}},       {"2011", "ptsv-2011", {}},
-    {"implicit", "ptsv", {"bounds=implicit", "planes=own", "split=off"}}, {"+ extra planes", "ptsv", {"bounds=implicit", "split=off"}},
-    {"+ explicit bounds", "ptsv", {"bounds=compact", "split=off"}},       {"+ two passes", "ptsv", {"bounds=compact", "split=2"}},
+    {"2011, own planes", "ptsv-2011", {"planes=own"}},
+    {"2011", "ptsv-2011", {}},
+    {"implicit", "ptsv", {"bounds=implicit", "planes=own", "split=off"}},
+    {"+ extra planes", "ptsv", {"bounds=implicit", "split=off"}},
+    {"+ explicit bounds", "ptsv", {"bounds=compact", "split=off"}},
+    {"+ two passes", "ptsv", {"bounds=compact", "split=2"}},
 };
 
 struct Numbers {
@@ -66,8 +68,6 @@ Numbers measureOne(const host::FrameInputs& inputs, const Variant& variant, host
     n.arrays = result.bytes;
     return n;
 }
-
-std::string stem(const std::string& scene) { return std::filesystem::path(scene).stem().string(); }
 
 std::string millions(const std::vector<double>& values) {
     const Statistic s = statistic(values);

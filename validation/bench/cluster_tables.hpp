@@ -14,7 +14,8 @@ struct ClusterJob {
     uint32_t lastFrame = 56, frameStep = 4;
     host::Cull cull = host::Cull::front;  ///< as in the paper's figure 6
     host::Precision precision = host::Precision::certified;
-    std::string csv;  ///< per-frame numbers go here; empty: nowhere
+    std::string csv;          ///< per-frame numbers go here; empty: nowhere
+    std::string keep, given;  ///< product: folder to write view samples to, to take them from instead of rasterising; empty: neither
 };
 
 /// Test-and-set operations and stage times along a path, by variant (figures 5, 6 and 8).
@@ -25,5 +26,8 @@ void printJobs(host::PassCache& passes, const ClusterJob& job);
 void printSizes(host::PassCache& passes, const ClusterJob& job);
 /// Against the TOP tree and the flat hierarchy, from few casters to many (light 0, one frame per scene).
 void printAgainst(host::PassCache& passes, const ClusterJob& job);
+
+/// The product of light, bounds, split and planes against the oracle; the number of wrong answers.
+uint64_t printProduct(host::PassCache& passes, const ClusterJob& job);
 
 }  // namespace gno::bench

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// gnomon-bench queries|ladder|stacks|growth SCENE... : the measurements of the READMEs as Markdown tables. Counters do not depend on the machine; times
-// are to be read as ratios within one run.
+// gnomon-bench queries|ladder|stacks|growth|routing|own SCENE... : the measurements of the READMEs as Markdown tables. Counters do not depend on the
+// machine; times are to be read as ratios within one run.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -17,12 +17,15 @@ int run(int argc, char** argv) {
     bench::Job base;
     std::string table, size = "1920x1080", cull = "none", precision = "certified", stage = "compute";
     std::vector<std::string> scenes;
-    app.add_option("TABLE", table, "queries, ladder, stacks or growth")->required()->check(CLI::IsMember({"queries", "ladder", "stacks", "growth"}));
+    app.add_option("TABLE", table, "queries, ladder, stacks, growth, routing or own")
+        ->required()
+        ->check(CLI::IsMember({"queries", "ladder", "stacks", "growth", "routing", "own"}));
     app.add_option("SCENE", scenes, ".glb files")->required()->check(CLI::ExistingFile);
     app.add_option("--size", size, "WIDTHxHEIGHT")->capture_default_str();
     app.add_option("--seeds", base.seeds, "insertion orders to average over")->capture_default_str()->check(CLI::Range(1, 100));
+    app.add_option("--repeats", base.repeats, "times each time is taken, per insertion order")->capture_default_str()->check(CLI::Range(1, 100));
     app.add_option("--frame", base.frame, "frame of the scene's animation")->capture_default_str();
-    app.add_option("--light", base.light, "index of the light")->capture_default_str();
+    app.add_option("--light", base.light, "index of the light; ladder, routing and own take 0 and 1")->capture_default_str();
     app.add_option("--cull", cull, "none, front, hull or all")->capture_default_str()->check(CLI::IsMember({"none", "front", "hull", "all"}));
     app.add_option("--precision", precision, "published, conservative or certified")->capture_default_str();
     try {
@@ -34,19 +37,32 @@ int run(int argc, char** argv) {
         throw host::InputError(error.what());
     }
     if (std::sscanf(size.c_str(), "%ux%u", &base.width, &base.height) != 2) throw host::InputError("--size: write WIDTHxHEIGHT");
-    base.precision = host::precisionByName(precision);
+    base.precisions = {host::precisionByName(precision)};
     base.cull = cull == "front" ? host::Cull::front : cull == "hull" ? host::Cull::hull : cull == "all" ? host::Cull::all : host::Cull::none;
 
+    const bool bothLights = table == "ladder" || table == "routing" || table == "own";
     const host::Device device(host::DeviceOptions::fromEnvironment());
     host::checkSize(device.facts(), base.width, base.height);
     host::PassCache passes(device);
-    fmt::print("{}, {} {}, subgroup width {}; {}x{}, frame {}, light {}, cull {}, precision {}, seeds 1..{} (mean ± standard deviation)\n\n", device.facts().deviceName,
-               device.facts().driverName, device.facts().driverInfo, device.facts().subgroupSize, base.width, base.height, base.frame, base.light, cull,
-               table == "ladder" ? "all" : precision, base.seeds);
-    if (table == "queries") bench::printQueries(passes, base, scenes);
-    else if (table == "ladder") bench::printLadder(passes, base, scenes);
-    else if (table == "stacks") bench::printStacks(passes, base, scenes);
-    else bench::printGrowth(passes, base, scenes);
+    fmt::print("{}, {} {}, subgroup width {}; {}x{}, frame {}, {}, cull {}, precision {}, seeds 1..{} (mean ± standard deviation)\n\n",
+               device.facts().deviceName, device.facts().driverName, device.facts().driverInfo, device.facts().subgroupSize, base.width, base.height,
+               base.frame, bothLights ? "lights 0 and 1" : fmt::format("light {}", base.light), cull,
+               table == "ladder"                      ? "all"
+               : table == "routing" || table == "own" ? "certified"
+                                                      : precision,
+               base.seeds);
+    if (table == "queries")
+        bench::printQueries(passes, base, scenes);
+    else if (table == "ladder")
+        bench::printLadder(passes, base, scenes);
+    else if (table == "stacks")
+        bench::printStacks(passes, base, scenes);
+    else if (table == "routing")
+        bench::printRouting(passes, base, scenes);
+    else if (table == "own")
+        bench::printOwn(passes, base, scenes);
+    else
+        bench::printGrowth(passes, base, scenes);
     return 0;
 }
 

@@ -22,10 +22,8 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/core/portable.h"
 #include "gnomon/core/sample.glsl"
 #include "gnomon/core/shared_types.h"
-<<<<<<< HEAD
 #include "gnomon/core/transmittance.glsl"
 #include "gnomon/core/transmittance_sum.glsl"
-=======
 #include "gnomon/clusters/bindings.glsl"
 #include "gnomon/clusters/bounds.glsl"
 #include "gnomon/clusters/build.glsl"
@@ -35,7 +33,6 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/clusters/nodes.glsl"
 #include "gnomon/clusters/traverse.glsl"
 #include "gnomon/clusters/volume.glsl"
->>>>>>> ctests
 #include "gnomon/top/bindings.glsl"
 #include "gnomon/top/build.glsl"
 #include "gnomon/top/node.h"
@@ -54,14 +51,11 @@ void main() {
     bool inserted = gnoTopInsert(gnoPermute(at, push.count, push.seed));
     GnoViewSample s = gnoMakeViewSample(gnoSnapToGrid(push.position.xyz), at, t, push.viewer, push.light);
     bool dark = gnoTopQueryStack(s) || gnoTopQueryStackless(s) || gnoTopQueryHybrid(s) || gnoDecideInShadow(push.light, t, s.position, GNO_PRECISION_CERTIFIED);
-<<<<<<< HEAD
     gnoAddTransmittance(at, gnoTransmittance(at, t, push.light, s.position));
-=======
     gnoClusterSetUpVolume(at, gnoFacing(push.light, t));
     gnoClusterMeasureDepth(s, gl_LocalInvocationID.x);
     gnoClusterAddTile(gl_WorkGroupID.xy, gl_LocalInvocationID.x, s, GNO_CLUSTER_MASKS_OF_NODES);
     gnoClusterExpand();
     dark = dark || gnoClusterInShadow(uvec2(at, push.seed), s.position);
->>>>>>> ctests
     results.v[at] = uint(inserted) + uint(dark);
 }

@@ -51,14 +51,11 @@ void main() {
     bool inserted = gnoTopInsert(gnoPermute(at, push.count, push.seed));
     GnoViewSample s = gnoMakeViewSample(gnoSnapToGrid(push.position.xyz), at, t, push.viewer, push.light);
     bool dark = gnoTopQueryStack(s) || gnoTopQueryStackless(s) || gnoTopQueryHybrid(s) || gnoDecideInShadow(push.light, t, s.position, GNO_PRECISION_CERTIFIED);
-<<<<<<< HEAD
     gnoAddTransmittance(at, gnoTransmittance(at, t, push.light, s.position));
-=======
     gnoClusterSetUpVolume(at, gnoFacing(push.light, t));
     gnoClusterMeasureDepth(s, gl_LocalInvocationID.x);
     gnoClusterAddTile(gl_WorkGroupID.xy, gl_LocalInvocationID.x, s, GNO_CLUSTER_MASKS_OF_NODES);
     gnoClusterExpand();
     dark = dark || gnoClusterInShadow(uvec2(at, push.seed), s.position);
->>>>>>> ctests
     results.v[at] = uint(inserted) + uint(dark);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The definition of what alpha-tested and coloured casters take from a sample (header of glsl/core/transmittance.glsl), word for word: determinants of
-// unlimited integers, texels and logarithms in plain C++. Nothing of glsl/ is included.
+// The definition of what alpha-tested and coloured casters take from a sample (header of glsl/core/transmittance.glsl), word for word: determinants
+// of unlimited integers, texels and logarithms in plain C++. Nothing of glsl/ is included.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "validation/tests/cli_child.hpp"
+#include "validation/tests/tiny_png.hpp"
 
 namespace gno::test {
 namespace {
@@ -52,6 +53,37 @@ TEST(BadFile, NeedsDraco) {
     Builder builder = smallScene();
     builder.json["extensionsRequired"] = builder.json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
     expectBadFile("draco.glb", builder.glb(), "KHR_draco_mesh_compression");
+}
+/// One triangle of a leaf: masked, with this image.
+Builder leaf(const std::string& png) {
+    Builder builder = smallScene();
+    builder.json["materials"] = {{{"alphaMode", "MASK"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+    builder.json["textures"] = {{{"source", 0}}};
+    const int view = builder.view(png);
+    builder.json["images"] = {{{"bufferView", view}, {"mimeType", "image/png"}}};
+    const size_t vertices = builder.json["accessors"][builder.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<size_t>()]["count"];
+    const int uv = builder.floats(std::vector<float>(2 * vertices, 0.25f), "VEC2", 2);
+    auto& primitive = builder.json["meshes"][0]["primitives"][0];
+    primitive["material"] = 0;
+    primitive["attributes"]["TEXCOORD_0"] = uv;
+    return builder;
+}
+TEST(BadFile, ATruncatedImage) {
+    const std::string png = host::test::tinyPng(2, 2, std::string(16, '\x7F'));
+    const Stage stage;
+    EXPECT_EQ(stage.run({"effects", stage.write("leaf.glb", leaf(png).glb())}).code, 0) << "a whole one is read";
+    expectBadFile("truncated.glb", leaf(png.substr(0, png.size() / 2)).glb(), "image 0");
+}
+TEST(BadFile, NoImageThere) {
+    Builder builder = leaf("");
+    builder.json["images"] = {{{"uri", "absent.png"}}};
+    expectBadFile("image.glb", builder.glb(), "absent.png");
+}
+TEST(BadFile, TooFewTextureCoordinates) {
+    Builder builder = leaf(host::test::tinyPng(1, 1, "leaf"));
+    const int uv = builder.floats({0, 0}, "VEC2", 2);
+    builder.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = uv;
+    expectBadFile("coordinates.glb", builder.glb(), "TEXCOORD_0");
 }
 TEST(BadFile, NoArea) {
     Builder builder;

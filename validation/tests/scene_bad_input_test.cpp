@@ -303,7 +303,8 @@ TEST(Extensions, ThoseThatDoNotAreIgnoredAndListed) {
     builder.meshNode(kTriangle);
     builder.json["extensionsRequired"] = {"KHR_texture_transform", "KHR_mesh_quantization", "EXT_texture_webp",
                                           "KHR_materials_unlit",   "KHR_texture_basisu",    "MSFT_texture_dds"};
-    EXPECT_EQ(frameOf(builder).facts.ignoredExtensions, (std::vector<std::string>{"EXT_texture_webp", "KHR_materials_unlit", "KHR_texture_basisu", "MSFT_texture_dds"}))
+    EXPECT_EQ(frameOf(builder).facts.ignoredExtensions,
+              (std::vector<std::string>{"EXT_texture_webp", "KHR_materials_unlit", "KHR_texture_basisu", "MSFT_texture_dds"}))
         << "transform and quantization are read";
 }
 

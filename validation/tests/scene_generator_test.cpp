@@ -83,6 +83,8 @@ void parse(const std::string& bytes, File& out) {
     std::string error;
     std::string warning;
     tinygltf::TinyGLTF loader;
+    const auto ignoreImage = [](tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) { return true; };
+    loader.SetImageLoader(ignoreImage, nullptr);
     ASSERT_TRUE(loader.LoadBinaryFromMemory(&out.model, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()),
                                             static_cast<unsigned>(bytes.size()), ""))
         << error;
@@ -257,6 +259,26 @@ TEST(Grass, HasItsGroundFirst) {
     ASSERT_EQ(draft.nodes.at(0).model, 0);
     EXPECT_EQ(draft.models.at(0).name, "ground");
     EXPECT_EQ(draft.models.at(0).triangleCount(), 2u);
+}
+
+TEST(Leaves, HaveMasksGlassVeilsAndCoordinates) {
+    File file;
+    ASSERT_NO_FATAL_FAILURE(parse(encodeGlb(makeScene(findKind("leaves"), 600, 1, kFolder), "leaves"), file));
+    ASSERT_EQ(file.model.images.size(), 3u);
+    ASSERT_EQ(file.model.textures.size(), 3u);
+    std::set<std::pair<std::string, bool>> kinds;  // alpha mode, transmits
+    for (const auto& mesh : file.model.meshes)
+        for (const tinygltf::Primitive& primitive : mesh.primitives) {
+            const tinygltf::Material& material = file.model.materials.at(static_cast<size_t>(primitive.material));
+            kinds.insert({material.alphaMode, material.extensions.contains("KHR_materials_transmission")});
+            if (material.pbrMetallicRoughness.baseColorTexture.index < 0) continue;
+            const auto& uv = file.model.accessors.at(static_cast<size_t>(primitive.attributes.at("TEXCOORD_0")));
+            EXPECT_EQ(uv.count, file.model.accessors.at(static_cast<size_t>(primitive.attributes.at("POSITION"))).count);
+        }
+    EXPECT_EQ(kinds.size(), 6u) << "opaque, mask and blend, each with and without transmission";
+    std::set<int> wraps;
+    for (const tinygltf::Sampler& sampler : file.model.samplers) wraps.insert(sampler.wrapS);
+    EXPECT_EQ(wraps.size(), 3u);
 }
 
 TEST(ClosedCheck, SeesAHoleATwistAndAnInsideOutPart) {

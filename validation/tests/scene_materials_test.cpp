@@ -128,7 +128,8 @@ TEST(Images, OfOtherChannelsAndPlaces) {
     const TemporaryFolder folder;
     folder.write("a leaf.png", tinyPng(1, 1, "abcd"));
     leaf.json["images"] = {{{"uri", "a%20leaf.png"}}};
-    EXPECT_EQ(SceneFile::load(folder.write("scene.glb", leaf.glb())).evaluate(0, 0).look->images.at(0).rgba, (std::vector<uint8_t>{'a', 'b', 'c', 'd'}));
+    EXPECT_EQ(SceneFile::load(folder.write("scene.glb", leaf.glb())).evaluate(0, 0).look->images.at(0).rgba,
+              (std::vector<uint8_t>{'a', 'b', 'c', 'd'}));
     leaf.json["images"] = {
         {{"uri", "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="}}};
     EXPECT_EQ(frameOf(leaf).look->images.at(0).width, 1u);
@@ -147,7 +148,8 @@ TEST(Corners, MoveByWholeRepeatsTowardsZero) {
     leaf.sampler() = {{"wrapS", 33071}, {"wrapT", 33071}};
     EXPECT_EQ(cornersOf(leaf), (Corners{ivec2(7424, -1280), ivec2(8704, -896), ivec2(7680, -1664)})) << "not at all";
     const float million = 1 << 20;
-    EXPECT_EQ(cornersOf(Leaf({million, -million, million + 1, -million, million, 1 - million})), (Corners{ivec2(0, 0), ivec2(1024, 0), ivec2(0, 512)}));
+    EXPECT_EQ(cornersOf(Leaf({million, -million, million + 1, -million, million, 1 - million})),
+              (Corners{ivec2(0, 0), ivec2(1024, 0), ivec2(0, 512)}));
 }
 
 TEST(Corners, FollowTheWindingOfAMirroredNode) {
@@ -158,7 +160,8 @@ TEST(Corners, FollowTheWindingOfAMirroredNode) {
 
 TEST(Corners, OfNormalisedIntegersAndOtherSets) {
     Leaf leaf;
-    const int shorts = leaf.accessor(leaf.view(bytesOf(std::vector<uint16_t>{0, 65535, 65535, 0, 13107, 0})), kU16, 3, "VEC2", {{"normalized", true}});
+    const int shorts =
+        leaf.accessor(leaf.view(bytesOf(std::vector<uint16_t>{0, 65535, 65535, 0, 13107, 0})), kU16, 3, "VEC2", {{"normalized", true}});
     leaf.primitive()["attributes"]["TEXCOORD_3"] = shorts;
     leaf.texture()["texCoord"] = 3;
     EXPECT_EQ(cornersOf(leaf), (Corners{ivec2(0, 512), ivec2(1024, 0), ivec2(205, 0)}));
@@ -172,7 +175,8 @@ TEST(Corners, FollowATextureTransform) {
     leaf.sampler() = {{"wrapS", 33071}, {"wrapT", 33071}};
     leaf.texture()["extensions"]["KHR_texture_transform"] = {{"offset", {0.5, 0.25}}, {"scale", {2, 3}}};
     EXPECT_EQ(cornersOf(leaf), (Corners{ivec2(512, 128), ivec2(2560, 128), ivec2(512, 1664)}));
-    leaf.texture()["extensions"]["KHR_texture_transform"] = {{"rotation", std::acos(-1.0) / 2}};  // counter-clockwise: u turns upwards, v to the right
+    leaf.texture()["extensions"]["KHR_texture_transform"] = {
+        {"rotation", std::acos(-1.0) / 2}};  // counter-clockwise: u turns upwards, v to the right
     EXPECT_EQ(cornersOf(leaf), (Corners{ivec2(0, 0), ivec2(0, -512), ivec2(1024, 0)}));
 }
 
@@ -211,7 +215,8 @@ TEST(BadTexture, TruncatedPngAtEveryLength) {
         EXPECT_EQ(text.find('\n'), std::string::npos) << text;
     }
     std::string large = png;
-    for (const auto& [side, words] : {std::pair{12000u, "12000 x 12000 texels; all images together may have 134217728"}, {30000u, "not a PNG or JPEG that can be read"}}) {
+    for (const auto& [side, words] :
+         {std::pair{12000u, "12000 x 12000 texels; all images together may have 134217728"}, {30000u, "not a PNG or JPEG that can be read"}}) {
         large.replace(16, 8, bigEndian(side) + bigEndian(side));
         const std::string text = inputError([&] { (void)frameOf(Leaf(kUv, large)); });
         EXPECT_NE(text.find(words), std::string::npos) << text;
@@ -224,9 +229,7 @@ TEST(BadTexture, ReferencesThatLeadNowhere) {
     expectRefused("whole number", [](Leaf& l) { l.texture()["index"] = 0.5; });
     expectRefused("entry 3 of samplers does not exist", [](Leaf& l) { l.json["textures"][0]["sampler"] = 3; });
     expectRefused("source is not a whole number", [](Leaf& l) { l.json["textures"][0]["source"] = "leaf"; });
-    expectRefused("has no PNG or JPEG", [](Leaf& l) {
-        l.json["textures"][0] = {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}};
-    });
+    expectRefused("has no PNG or JPEG", [](Leaf& l) { l.json["textures"][0] = {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}}; });
     expectRefused("wrap mode 7 is not glTF", [](Leaf& l) { l.sampler() = {{"wrapS", 7}}; });
     expectRefused("wrapT is not a whole number", [](Leaf& l) { l.sampler() = {{"wrapT", "repeat"}}; });
 }

@@ -101,7 +101,8 @@ Builder leafyFile() {
     builder.json["materials"] = {
         {{"alphaMode", "MASK"},
          {"pbrMetallicRoughness",
-          {{"baseColorTexture", {{"index", 0}, {"texCoord", 1}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0.5}}, {"scale", {2, 2}}}}}}}}}},
+          {{"baseColorTexture",
+            {{"index", 0}, {"texCoord", 1}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0.5}}, {"scale", {2, 2}}}}}}}}}},
          {"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}}}}}}};
     builder.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
     builder.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}}};

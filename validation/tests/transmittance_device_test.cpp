@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstddef>
+#include <spirv_cross/spirv_cross.hpp>
 
 #include "host_min/error.hpp"
 #include "host_min/frame/inputs.hpp"
@@ -85,7 +87,8 @@ void installOnCpu(const host::Frame& frame) {
     }
     materials.clear();
     for (const Material& m : frame.look->materials)
-        materials.push_back(host::packMaterial(m, m.image < 0 ? nullptr : &frame.look->images[size_t(m.image)], m.image < 0 ? 0 : first[size_t(m.image)]));
+        materials.push_back(
+            host::packMaterial(m, m.image < 0 ? nullptr : &frame.look->images[size_t(m.image)], m.image < 0 ? 0 : first[size_t(m.image)]));
 }
 
 struct Asked {
@@ -120,8 +123,12 @@ TEST(TransmittanceDevice, IsTheCpusAndTheOraclesToTheBit) {
     in.upload(std::span<const Asked>(asked));
     out.fill(0xDEADBEEFu);
     const host::ComputePass pass(device, test::readSpirv(GNOMON_TRANSMITTANCE_SPIRV));
-    const std::array resources{Binding{"gnoMaterialOf", &buffers.of()}, Binding{"gnoSurfaces", &buffers.surfaces()}, Binding{"gnoMaterials", &buffers.list()},
-                               Binding{"gnoTexels", &buffers.texels()}, Binding{"gnoTransmittances", &unused},       Binding{"questions", &in},
+    const std::array resources{Binding{"gnoMaterialOf", &buffers.of()},
+                               Binding{"gnoSurfaces", &buffers.surfaces()},
+                               Binding{"gnoMaterials", &buffers.list()},
+                               Binding{"gnoTexels", &buffers.texels()},
+                               Binding{"gnoTransmittances", &unused},
+                               Binding{"questions", &in},
                                Binding{"answers", &out}};
     const auto count = static_cast<uint32_t>(asked.size());
     host::Recording recording(device);
@@ -159,7 +166,9 @@ struct Layers {
         frame.look = makeLook(r);
         for (int layer = 0; layer < 40; ++layer) {
             const double z = 0.8 - 0.02 * layer, reach = layer % 10 == 9 ? 0.15 : 0.7;
-            const auto corner = [&](double x, double y) { return r.nudge({x * reach + 0.05 * r.real(), y * reach + 0.05 * r.real(), z + 0.009 * r.real()}); };
+            const auto corner = [&](double x, double y) {
+                return r.nudge({x * reach + 0.05 * r.real(), y * reach + 0.05 * r.real(), z + 0.009 * r.real()});
+            };
             const vec3 a = corner(-1, -1), b = corner(1, -1), c = corner(1, 1), d = corner(-1, 1);
             const bool opaque = layer % 10 == 9;
             for (const auto& [t, second] : {std::pair{host::Triangle{a, b, c}, false}, {host::Triangle{a, c, d}, true}}) {
@@ -167,13 +176,15 @@ struct Layers {
                 frame.surfaceOf.push_back(opaque ? host::kOpaque : static_cast<uint32_t>(frame.surfaces.size()));
                 if (opaque) continue;
                 const int side = 256 * 48;
-                frame.surfaces.push_back({{glm::ivec2(0), second ? glm::ivec2(side) : glm::ivec2(side, 0), second ? glm::ivec2(0, side) : glm::ivec2(side)},
-                                          static_cast<uint32_t>(layer % frame.look->materials.size())});
+                frame.surfaces.push_back(
+                    {{glm::ivec2(0), second ? glm::ivec2(side) : glm::ivec2(side, 0), second ? glm::ivec2(0, side) : glm::ivec2(side)},
+                     static_cast<uint32_t>(layer % frame.look->materials.size())});
             }
         }
         for (int i = 0; i < 3000; ++i) {
             const auto own = static_cast<uint32_t>(r.below(static_cast<int>(frame.triangles.size())));
-            samples.push_back({questions::snap(glm::dvec3(0.8 * r.real(), 0.8 * r.real(), 0.4 + 0.5 * r.real())), i % 5 == 0 ? own : host::kNoCaster});
+            samples.push_back(
+                {questions::snap(glm::dvec3(0.8 * r.real(), 0.8 * r.real(), 0.4 + 0.5 * r.real())), i % 5 == 0 ? own : host::kNoCaster});
         }
     }
 };
@@ -186,13 +197,18 @@ struct Push {
 std::vector<uvec3> sumsOnDevice(const Layers& scene, vec4 light, uint32_t seed) {
     const host::Device& device = test::passes().device();
     const host::MaterialBuffers buffers(device, scene.frame);
-    host::Buffer casters(device, scene.frame.triangles.size() * 36), samples(device, scene.samples.size() * 16), result(device, scene.samples.size() * 16);
+    host::Buffer casters(device, scene.frame.triangles.size() * 36), samples(device, scene.samples.size() * 16),
+        result(device, scene.samples.size() * 16);
     casters.upload(std::span<const host::Triangle>(scene.frame.triangles));
     samples.upload(std::span<const host::OracleSample>(scene.samples));
     result.fill(0);
     static const host::ComputePass pass(device, test::readSpirv(GNOMON_TRANSMITTANCE_SUM_SPIRV));
-    const std::array resources{Binding{"gnoCasters", &casters},           Binding{"gnoMaterialOf", &buffers.of()}, Binding{"gnoSurfaces", &buffers.surfaces()},
-                               Binding{"gnoMaterials", &buffers.list()},  Binding{"gnoTexels", &buffers.texels()}, Binding{"gnoTransmittances", &result},
+    const std::array resources{Binding{"gnoCasters", &casters},
+                               Binding{"gnoMaterialOf", &buffers.of()},
+                               Binding{"gnoSurfaces", &buffers.surfaces()},
+                               Binding{"gnoMaterials", &buffers.list()},
+                               Binding{"gnoTexels", &buffers.texels()},
+                               Binding{"gnoTransmittances", &result},
                                Binding{"samples", &samples}};
     const Push push{light, static_cast<uint32_t>(scene.frame.triangles.size()), static_cast<uint32_t>(scene.samples.size()), seed};
     const uint32_t groups = (push.casters * push.samples + 63) / 64;
@@ -267,6 +283,42 @@ TEST(MaterialBuffers, RefuseMoreTexelsThanABindingHolds) {
         EXPECT_NE(text.find("over the limit of " + std::to_string(limit)), std::string::npos) << text;
         EXPECT_EQ(text.find('\n'), std::string::npos);
     }
+}
+
+/// One definition for C++ and GLSL: offsets and strides in the compiled SPIR-V.
+TEST(MaterialBuffers, LieInSpirvAsInCpp) {
+    const std::vector<uint32_t> spirv = test::readSpirv(GNOMON_TRANSMITTANCE_SPIRV);
+    const spirv_cross::Compiler compiler(spirv.data(), spirv.size());
+    struct Member {
+        std::string name;
+        size_t offset;
+    };
+    const auto expectLayout = [&](const std::string& buffer, const std::vector<Member>& want, size_t bytes) {
+        SCOPED_TRACE(buffer);
+        for (const spirv_cross::Resource& resource : compiler.get_shader_resources().storage_buffers) {
+            if (compiler.get_name(resource.id) != buffer) continue;
+            const spirv_cross::SPIRType& block = compiler.get_type(resource.base_type_id);
+            EXPECT_EQ(compiler.type_struct_member_array_stride(block, 0), bytes);
+            const spirv_cross::TypeID element = compiler.get_type(block.member_types[0]).self;
+            const spirv_cross::SPIRType& type = compiler.get_type(element);
+            ASSERT_EQ(type.member_types.size(), want.size());
+            for (uint32_t i = 0; i < want.size(); ++i) {
+                EXPECT_EQ(compiler.get_member_name(element, i), want[i].name);
+                EXPECT_EQ(compiler.type_struct_member_offset(type, i), want[i].offset) << want[i].name;
+            }
+            return;
+        }
+        ADD_FAILURE() << "no such buffer";
+    };
+#define MEMBER(type, member) Member{#member, offsetof(type, member)}
+    expectLayout("gnoMaterials",
+                 {MEMBER(GnoMaterial, kind), MEMBER(GnoMaterial, width), MEMBER(GnoMaterial, height), MEMBER(GnoMaterial, firstTexel),
+                  MEMBER(GnoMaterial, red), MEMBER(GnoMaterial, green), MEMBER(GnoMaterial, blue), MEMBER(GnoMaterial, alpha),
+                  MEMBER(GnoMaterial, cutoff), MEMBER(GnoMaterial, transmission), MEMBER(GnoMaterial, unused0), MEMBER(GnoMaterial, unused1)},
+                 sizeof(GnoMaterial));
+    expectLayout("gnoSurfaces",
+                 {MEMBER(GnoSurface, a), MEMBER(GnoSurface, b), MEMBER(GnoSurface, c), MEMBER(GnoSurface, material), MEMBER(GnoSurface, unused)},
+                 sizeof(GnoSurface));
 }
 
 /// A frame of opaque casters asks for none of it.

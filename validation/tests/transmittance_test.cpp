@@ -65,7 +65,8 @@ TEST_P(EveryFamily, HasTheOraclesHitWeights) {
     EXPECT_GT(inShadow, 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(HitWeights, EveryFamily, testing::ValuesIn(questions::kFamilies), [](const auto& family) { return std::string(family.param.name); });
+INSTANTIATE_TEST_SUITE_P(HitWeights, EveryFamily, testing::ValuesIn(questions::kFamilies),
+                         [](const auto& family) { return std::string(family.param.name); });
 
 /// Seen along the segment from the light to p, the weighted vertices meet that segment: within the weights' own rounding.
 TEST(HitWeights, NameThePointWhereTheLightCrosses) {
@@ -86,7 +87,9 @@ TEST(HitWeights, SumOfTheLargestNumbersDoesNotOverflow) {
     // Corners of the cube of 1.5: determinants near 108 * 2^120.
     uint64_t large = 0;
     for (uint32_t bits = 0; bits < 1u << 15; ++bits) {
-        const auto corner = [&](uint32_t i) { return vec3((bits >> (3 * i)) & 1 ? 1.5f : -1.5f, (bits >> (3 * i + 1)) & 1 ? 1.5f : -1.5f, (bits >> (3 * i + 2)) & 1 ? 1.5f : -1.5f); };
+        const auto corner = [&](uint32_t i) {
+            return vec3((bits >> (3 * i)) & 1 ? 1.5f : -1.5f, (bits >> (3 * i + 1)) & 1 ? 1.5f : -1.5f, (bits >> (3 * i + 2)) & 1 ? 1.5f : -1.5f);
+        };
         const Question q{vec4(corner(0), 1), {corner(1), corner(2), corner(3)}, corner(4)};
         ASSERT_EQ(wide(gnoHitWeights(q.light, q.t, q.p)), reference(q));
         const exact::Vec p = exact::fixed(q.p), l = exact::fixed(vec3(q.light));
@@ -102,13 +105,32 @@ TEST(WeightedMean, IsTheFloorOfTheQuotient) {
     std::printf("seed 6\n");
     for (int i = 0; i < 300000; ++i) {
         const auto random = [&](int most) { return uint(bits() >> (64 - 1 - bits() % static_cast<uint64_t>(most))); };
-        const uvec3 w = min(uvec3(random(22), random(22), random(22)), uvec3((1u << 22) - 1)), v(random(32), random(32), i % 3 == 0 ? 0xFFFFFFFFu : random(32));
+        const uvec3 w = min(uvec3(random(22), random(22), random(22)), uvec3((1u << 22) - 1)),
+                    v(random(32), random(32), i % 3 == 0 ? 0xFFFFFFFFu : random(32));
         const uint64_t sum = uint64_t{w.x} + w.y + w.z;
         const exact::Int128 product = exact::Int128{w.x} * v.x + exact::Int128{w.y} * v.y + exact::Int128{w.z} * v.z;
         ASSERT_EQ(gnoWeightedMean(w, v), sum == 0 ? 0u : uint(product / static_cast<int64_t>(sum)));
     }
     EXPECT_EQ(gnoWeightedMean(uvec3((1u << 22) - 1), uvec3(0xFFFFFFFFu)), 0xFFFFFFFFu);
     EXPECT_EQ(gnoWeightedMean(uvec3(0), uvec3(7)), 0u);
+}
+
+TEST(HitTexel, IsTheFloorOfTheMeanOnBothSidesOfZero) {
+    std::mt19937_64 bits(11);
+    std::printf("seed 11\n");
+    for (int i = 0; i < 100000; ++i) {
+        const uint64_t reach = i % 3 == 0 ? (1u << 31) - 2 : 5000;
+        const auto corner = [&] { return ivec2(int64_t(bits() % reach) - int64_t(reach / 2), int64_t(bits() % reach) - int64_t(reach / 2)); };
+        const GnoSurface s{corner(), corner(), corner(), 0, 0};
+        const uvec3 w(bits() % (1u << 22), bits() % (1u << 22), i % 5 == 0 ? 0 : bits() % (1u << 22));
+        if (w.x + w.y + w.z == 0) continue;
+        const ivec2 got = gnoHitTexel(w, s);
+        for (int k = 0; k < 2; ++k) {
+            const int64_t sum = int64_t{w.x} + w.y + w.z, product = int64_t{w.x} * s.a[k] + int64_t{w.y} * s.b[k] + int64_t{w.z} * s.c[k];
+            ASSERT_LE(got[k] * sum, product);
+            ASSERT_GT((got[k] + int64_t{1}) * sum, product);
+        }
+    }
 }
 
 TEST(Contribution, IsTheRoundedLogarithmOfAll256) {
@@ -254,8 +276,8 @@ TEST(Transmitted, BlendAndGlass) {
 }
 
 TEST(Sums, StopAndNeverWrap) {
-    constexpr uint kLayers = 100000;  // 523918 each: the sum would pass 2^32 a dozen times
-    for (const uint one : {1u, 523918u, GNO_TRANSMITTANCE_OPAQUE}) {
+    constexpr uint kLayers = 100000;                                          // 523918 each: the sum would pass 2^32 a dozen times
+    for (const uint one : {1u, 65536u, 523918u, GNO_TRANSMITTANCE_OPAQUE}) {  // 16 times 65536 is the stop itself
         sums.assign(8, 0);
         uint64_t want = 0;
         for (uint i = 0; i < kLayers; ++i) {
@@ -268,6 +290,14 @@ TEST(Sums, StopAndNeverWrap) {
         EXPECT_TRUE(gnoIsDark(1));
         EXPECT_EQ(gnoTransmittanceSum(1), uvec3(GNO_TRANSMITTANCE_OPAQUE));
         EXPECT_EQ((std::vector<uint32_t>(sums.begin(), sums.begin() + 4)), std::vector<uint32_t>(4, 0)) << "the neighbour";
+    }
+}
+
+TEST(Sums, AreDarkWhenAllThreeStop) {
+    for (uint stopped = 0; stopped < 8; ++stopped) {
+        sums.assign(4, 0);
+        gnoAddTransmittance(0, uvec3(stopped & 1u, (stopped >> 1) & 1u, stopped >> 2) * GNO_TRANSMITTANCE_OPAQUE);
+        EXPECT_EQ(gnoIsDark(0), stopped == 7) << stopped;
     }
 }
 

@@ -3,43 +3,6 @@
 // SPDX-License-Identifier: MIT
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_ballot : require
-// The traversal: kPass 1 expands, 2 finishes what the first left. Any number of work groups.
-layout(local_size_x = 32) in;
-layout(constant_id = 0) const uint kPrecision = 2u;
-#define GNO_PRECISION kPrecision
-layout(constant_id = 20) const uint kForm = 1u;
-#define GNO_CLUSTER_FORM kForm
-layout(constant_id = 22) const uint kPass = 1u;
-#include "../../core/bindings.glsl"
-#include "../../core/sample.glsl"
-#include "../../core/examples/frame.glsl"
-#include "../bindings.glsl"
-layout(set = 2, binding = 0, rgba32ui) uniform readonly uimage2D gnoSamples;
-#define GNO_CLUSTER_LOAD_SAMPLE(pixel_) gnoUnpackViewSample(imageLoad(gnoSamples, pixel_))
-#if GNO_COUNTERS
-layout(set = 2, binding = 1, r32ui) uniform uimage2D gnoCounts;                    // samples tested, per pixel
-layout(set = 2, binding = 2, std430) buffer GnoExampleTotals { uint v[]; } gnoTotals;  // pairs of low and high word, see main()
-layout(set = 2, binding = 3, std430) buffer GnoExampleSteps { uint v[]; } gnoSteps;    // iterations of every job of this pass
-#define GNO_CLUSTER_ON_LEAF_TEST(pixel_) imageAtomicAdd(gnoCounts, ivec2(pixel_), 1u)
-#define GNO_CLUSTER_ON_JOB(job_) if (subgroupElect()) gnoSteps.v[job_] = gnoClusterSteps
-#endif
-#include "../traverse.glsl"
-
-#if GNO_COUNTERS
-void add(uint at, uint amount) {
-    uint before = atomicAdd(gnoTotals.v[2u * at], amount);
-    if (before + amount < before) atomicAdd(gnoTotals.v[2u * at + 1u], 1u);
-}
-#endif
-
-void main() {
-    if (kPass == 1u) gnoClusterExpand();
-    else gnoClusterFinish();
-#if GNO_COUNTERS
-    add(0u, gnoCounters.nodeTests);
-    add(1u, gnoCounters.planeTests);
-    add(2u, gnoCounters.leafTests);
-    add(3u, gnoCounters.exactCalls);
-    add(4u, gnoCounters.accepted);
-#endif
-}
+// The traversal; every caster is opaque.
+#define GNO_CLUSTER_LAYERS 0
+#include "traverse_comp.glsl"
