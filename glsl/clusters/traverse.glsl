@@ -145,13 +145,13 @@ GnoClusterBounds gnoClusterCellOf_(uint depth_, uint key_, float near_, float fa
     uint maskZ_ = GNO_CLUSTER_LAYOUT.maskZ >> below_;
     uint bits_ = (1u << below_) - 1u;
     uvec3 size_ = uvec3(1u) << uvec3(bitCount(GNO_CLUSTER_LAYOUT.maskX & bits_), bitCount(GNO_CLUSTER_LAYOUT.maskY & bits_), bitCount(GNO_CLUSTER_LAYOUT.maskZ & bits_));
-    uvec2 first_ = uvec2(gnoClusterExtract(key_, maskX_), gnoClusterExtract(key_, maskY_)) * size_.xy;
+    uvec2 first_ = uvec2(gnoClusterExtract(key_, maskX_), gnoClusterExtract(key_, maskY_)) * uvec2(size_.x, size_.y);
     if (GNO_CLUSTER_FORM != GNO_CLUSTER_FLAT) {
         uint slice_ = gnoClusterExtract(key_, maskZ_) * size_.z;
         near_ = GNO_CLUSTER_SLICES[slice_];
         far_ = GNO_CLUSTER_SLICES[slice_ + size_.z];
     }
-    return gnoClusterCell(GNO_CLUSTER_FRAME, GNO_CLUSTER_LAYOUT, GNO_LIGHT, first_, first_ + size_.xy, near_, far_, uintBitsToFloat(GNO_CLUSTER_HEADER.slack));
+    return gnoClusterCell(GNO_CLUSTER_FRAME, GNO_CLUSTER_LAYOUT, GNO_LIGHT, first_, first_ + uvec2(size_.x, size_.y), near_, far_, uintBitsToFloat(GNO_CLUSTER_HEADER.slack));
 }
 
 GnoClusterBounds gnoClusterBoundsOf_(uint depth_, uint key_) {

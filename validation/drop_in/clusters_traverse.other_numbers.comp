@@ -23,6 +23,9 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_CLUSTER_BINDING_JOBS 30
 #define GNO_PRECISION GNO_PRECISION_PUBLISHED
 #define GNO_CLUSTER_BIAS 0.001f
+#define GNO_CLUSTER_LAYERS 1
+#define GNO_CLUSTER_IS_OPAQUE(caster_) (((caster_) & 1u) == 0u)
+#define GNO_CLUSTER_LAYER(c_, t_, pixel_, p_) ((c_) > 3u && (t_).a.x < (p_).x && (pixel_).x > 1u)
 #include "gnomon/core/bindings.glsl"
 #include "gnomon/core/sample.glsl"
 #include "gnomon/clusters/bindings.glsl"

@@ -50,7 +50,8 @@ static std::string resolve(const std::string& from, const std::string& include) 
 static void readRows(Module& module) {
     bool inside = false;
     for (const std::string& line : module.header) {
-        std::istringstream words(line);
+        static const std::regex parameters("^( *GNO_[A-Z0-9_]+)\\([^)]*\\)");
+        std::istringstream words(std::regex_replace(line, parameters, "$1"));
         std::string first, second, third, fourth;
         words >> first >> second >> third >> fourth;
         if (first == "Macro" && second == "required" && third == "default") {
@@ -58,7 +59,7 @@ static void readRows(Module& module) {
         } else if (inside && first == "The" && second == "macros" && third == "of") {
             module.takenOver.insert(resolve(module.path, fourth));
         } else if (inside && startsWith(first, "GNO_")) {
-            module.rows[first.substr(0, first.find('('))] = {second, third};
+            module.rows[first] = {second, third};
         } else if (inside && !startsWith(line, "  ")) {
             inside = false;  // rows may be continued by indented lines
         }
