@@ -191,4 +191,56 @@ TEST(Refused, QuestionsThatContradictThemselves) {
     EXPECT_THROW(ask({"", {0, 0, 1, 0.5f}, {kLow}, {}, {}}), WorkError);
 }
 
+/// Two layers of half-transparent glass over a sample; who counts, and what comes out.
+struct Glass {
+    std::vector<Triangle> triangles{kLow, kHigh};
+    std::vector<uint8_t> isCaster;
+    std::vector<uint32_t> surfaceOf{0, 1};
+    std::vector<Surface> surfaces{Surface{}, Surface{}};
+    MaterialSet look;
+    std::vector<OracleSample> samples{{kBelow, kNoCaster}};
+
+    Glass() {
+        Material& material = look.materials.emplace_back();
+        material.alpha = Material::Alpha::blend;
+        material.baseColor = glm::vec4(1, 1, 1, 0.2f);  // alpha 51 of 255: a fifth is lost
+    }
+    [[nodiscard]] OracleQuestion question(glm::vec4 light) const { return {triangles, isCaster, light, samples, surfaceOf, surfaces, &look}; }
+};
+
+constexpr uint32_t kOneLayer = 21098;  // round(-log2(204 / 255) * 2^16)
+
+TEST_P(Own, SumsCountEveryCasterButOwnAndCulledOnes) {
+    const auto sum = [&](const Glass& glass) { return makeOracle()->ask(glass.question(GetParam()), {}).sums.at(0); };
+    Glass glass;
+    EXPECT_EQ(sum(glass), glm::uvec3(2 * kOneLayer));
+    glass.samples[0].own = 1;
+    EXPECT_EQ(sum(glass), glm::uvec3(kOneLayer));
+    glass.isCaster = {0, 1};
+    EXPECT_EQ(sum(glass), glm::uvec3(0));
+    glass = Glass();
+    glass.surfaceOf[1] = kOpaque;
+    EXPECT_EQ(sum(glass), glm::uvec3(kNoLight));
+    EXPECT_EQ(makeOracle()->ask(glass.question(GetParam()), {}).inShadow[0], 1) << "the mask takes every caster for opaque";
+    glass.samples[0].position = {0, 0, 0.9375f};
+    EXPECT_EQ(sum(glass), glm::uvec3(0)) << "above both";
+}
+
+TEST(Refused, SurfacesThatDoNotExist) {
+    const auto refused = [](auto&& spoil) {
+        Glass glass;
+        EXPECT_NO_THROW(makeOracle()->ask(glass.question(kSun), {}));
+        spoil(glass);
+        EXPECT_THROW(makeOracle()->ask(glass.question(kSun), {}), WorkError);
+    };
+    refused([](Glass& g) { g.surfaceOf = {0}; });
+    refused([](Glass& g) { g.surfaceOf[1] = 2; });
+    refused([](Glass& g) { g.surfaces[1].material = 1; });
+    refused([](Glass& g) { g.look.materials[0].image = 0; });
+    Glass glass;
+    OracleQuestion question = glass.question(kSun);
+    question.look = nullptr;
+    EXPECT_THROW(makeOracle()->ask(question, {}), WorkError);
+}
+
 }  // namespace
