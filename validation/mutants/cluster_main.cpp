@@ -131,7 +131,7 @@ std::string failure(cpu::ClusterFamily& family, const Case& c) {
     for (uint32_t i = 0; i < c.frames.size(); ++i) {
         const Case::Frame& frame = c.frames[i];
         for (uint k = 0; k < 4; ++k) {
-            const cpu::ClusterChoice choice{GNO_PRECISION_CERTIFIED,        kForms[k], i % 3, (i + k) % 2 ? kMany : 3,
+            const cpu::ClusterChoice choice{GNO_PRECISION_CERTIFIED,     kForms[k], i % 3, (i + k) % 2 ? kMany : 3,
                                             i % 2 ? kMany : 40 + 20 * i, i % 4 != 3};
             const std::string how = fmt::format("seed {}, form {}, split {}", i + 1, choice.form, choice.split);
             try {
