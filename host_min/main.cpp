@@ -14,6 +14,8 @@
 
 namespace {
 
+constexpr const char* kNoStandardOutput = "cannot write to standard output: is the disk full, or the reader gone?";
+
 int run(int argc, const char* const* argv) {
     using namespace gno::host;
     const Command command = parseCommandLine(argc, argv);
@@ -35,7 +37,7 @@ int run(int argc, const char* const* argv) {
             printDevices();
             break;
     }
-    if (std::fflush(stdout) != 0) throw WorkError("cannot write to standard output: is the disk full, or the reader gone?");
+    if (std::fflush(stdout) != 0) throw WorkError(kNoStandardOutput);
     return 0;
 }
 
@@ -57,7 +59,7 @@ int main(int argc, char** argv) {
         return fail(error.what(), 2);
     } catch (const std::bad_alloc&) {
         return fail("out of memory: use a smaller --size or scene", 1);
-    } catch (const std::exception& error) {
-        return fail(error.what(), 1);
+    } catch (const std::exception& error) {  // fmt throws when its buffer does not go out
+        return fail(std::ferror(stdout) ? kNoStandardOutput : error.what(), 1);
     }
 }

@@ -301,8 +301,12 @@ std::vector<DumpedBuffer> ClusterHierarchy::dump() const {
                                      {"masks", "uint word[words]", masks_.download()},
                                      {"volumes", "vec4 plane[7 * casters]", volumes_.download()}};
     if (layout_.form != GNO_CLUSTER_IMPLICIT) {
-        result.push_back({"low", "float low[3 * boxes]; flat: float near[nodes]", low_.download()});
-        result.push_back({"high", "float high[3 * boxes]; flat: float far[nodes]", high_.download()});
+        for (const auto& [name, buffer] : {std::pair("low", &low_), std::pair("high", &high_)}) {
+            std::vector<std::byte> bytes = buffer->download();
+            if (layout_.form == GNO_CLUSTER_COMPACT)  // what the list holds
+                bytes.resize(12 * size_t(std::min(options_.boxCapacity, header_.downloadAs<GnoClusterHeader>().front().boxCount)));
+            result.push_back({name, layout_.form == GNO_CLUSTER_FLAT ? "float depth[nodes]" : "float xyz[3 * boxes]", std::move(bytes)});
+        }
     }
     if (layout_.form == GNO_CLUSTER_COMPACT) result.push_back({"pointers", "uvec2 firstBoxAndMask[words]", pointers_.download()});
     return result;

@@ -21,7 +21,6 @@ struct Variant {
 };
 
 const std::vector<Variant> kVariants{
-    {"2011, own planes", "ptsv-2011", {"planes=own"}},
     {"2011", "ptsv-2011", {}},
     {"implicit", "ptsv", {"bounds=implicit", "planes=own", "split=off"}},
     {"+ extra planes", "ptsv", {"bounds=implicit", "split=off"}},
@@ -128,7 +127,7 @@ void printPaths(host::PassCache& passes, const ClusterJob& job) {
         for (size_t i = 0; i < kVariants.size(); ++i) {
             const auto mean = [&](double Numbers::*member) { return meanOf(all[i], member); };
             fmt::print("| {} | {} | {} | {} | {:.2f} | {:.2f} | {:.0f} | {:.0f} | {:.0f} | {:.0f} | {:.0f} | {:.1f} |\n", stem(scene),
-                       kVariants[i].name, millions(list(i)), ratios(list(i), list(1)), mean(&Numbers::nodes) / 1e6, mean(&Numbers::leaves) / 1e6,
+                       kVariants[i].name, millions(list(i)), ratios(list(i), list(0)), mean(&Numbers::nodes) / 1e6, mean(&Numbers::leaves) / 1e6,
                        mean(&Numbers::build), mean(&Numbers::setUp), mean(&Numbers::traverse), mean(&Numbers::merge), mean(&Numbers::worstJob),
                        mean(&Numbers::worstJob) / mean(&Numbers::averageJob));
         }

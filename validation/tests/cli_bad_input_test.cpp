@@ -100,7 +100,7 @@ struct Words {
 
 const std::vector<Words> kWrongWords{
     {"UnknownTechnique", {"--technique", "psvv"}, "psvv"},
-    {"PlannedTechnique", {"--technique", "ptsv"}, "not in this build yet"},
+    {"PlannedTechnique", {"--technique", "zpass"}, "not in this build yet"},
     {"NoTechnique", {"--technique", ","}, "--technique"},
     {"UnknownPrecision", {"--precision", "exact-ish"}, "exact-ish"},
     {"UnknownKey", {"--technique", "d-hybrid", "--set", "stakc=12"}, "stack"},
