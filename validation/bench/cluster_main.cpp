@@ -4,10 +4,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 
-#include "host_min/error.hpp"
 #include "validation/bench/cluster_tables.hpp"
+#include "validation/bench/program.hpp"
 
 namespace {
 
@@ -32,23 +31,16 @@ int run(int argc, char** argv) {
            "--given", job.given,
            "folder to take the view samples from instead of rasterising (product): a driver that cannot rasterise at a subgroup width still computes")
         ->check(CLI::ExistingDirectory);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::CallForHelp&) {
-        std::fputs(app.help().c_str(), stdout);
-        return 0;
-    } catch (const CLI::ParseError& error) {
-        throw host::InputError(error.what());
-    }
-    if (std::sscanf(size.c_str(), "%ux%u", &job.width, &job.height) != 2) throw host::InputError("--size: write WIDTHxHEIGHT");
+    if (!bench::parse(app, argc, argv)) return 0;
+    bench::readSize(size, job.width, job.height);
     job.precision = host::precisionByName(precision);
-    job.cull = cull == "front" ? host::Cull::front : cull == "hull" ? host::Cull::hull : cull == "all" ? host::Cull::all : host::Cull::none;
+    job.cull = bench::cullByName(cull);
 
     const host::Device device(host::DeviceOptions::fromEnvironment());
     host::checkSize(device.facts(), job.width, job.height);
     host::PassCache passes(device);
-    fmt::print("{}, {} {}, subgroup width {}; {}, light {}, cull {}, precision {}\n\n", device.facts().deviceName, device.facts().driverName,
-               device.facts().driverInfo, device.facts().subgroupSize, table == "sizes" ? "three sizes" : size, job.light, cull, precision);
+    fmt::print("{}; {}, light {}, cull {}, precision {}\n\n", bench::describe(device), table == "sizes" ? "three sizes" : size, job.light, cull,
+               precision);
     if (table == "product") return bench::printProduct(passes, job) == 0 ? 0 : 1;
     if (table == "paths")
         bench::printPaths(passes, job);
@@ -64,13 +56,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
-        return run(argc, argv);
-    } catch (const gno::host::InputError& error) {
-        std::fprintf(stderr, "gnomon-bench-clusters: %s\n", error.what());
-        return 2;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "gnomon-bench-clusters: %s\n", error.what());
-        return 1;
-    }
+    return gno::bench::guarded("gnomon-bench-clusters", [&] { return run(argc, argv); });
 }

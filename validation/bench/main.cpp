@@ -4,9 +4,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 
-#include "host_min/error.hpp"
+#include "validation/bench/program.hpp"
 #include "validation/bench/tables.hpp"
 
 namespace {
@@ -28,25 +27,17 @@ int run(int argc, char** argv) {
     app.add_option("--light", base.light, "index of the light; ladder, routing and own take 0 and 1")->capture_default_str();
     app.add_option("--cull", cull, "none, front, hull or all")->capture_default_str()->check(CLI::IsMember({"none", "front", "hull", "all"}));
     app.add_option("--precision", precision, "published, conservative or certified")->capture_default_str();
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::CallForHelp&) {
-        std::fputs(app.help().c_str(), stdout);
-        return 0;
-    } catch (const CLI::ParseError& error) {
-        throw host::InputError(error.what());
-    }
-    if (std::sscanf(size.c_str(), "%ux%u", &base.width, &base.height) != 2) throw host::InputError("--size: write WIDTHxHEIGHT");
+    if (!bench::parse(app, argc, argv)) return 0;
+    bench::readSize(size, base.width, base.height);
     base.precisions = {host::precisionByName(precision)};
-    base.cull = cull == "front" ? host::Cull::front : cull == "hull" ? host::Cull::hull : cull == "all" ? host::Cull::all : host::Cull::none;
+    base.cull = bench::cullByName(cull);
 
     const bool bothLights = table == "ladder" || table == "routing" || table == "own";
     const host::Device device(host::DeviceOptions::fromEnvironment());
     host::checkSize(device.facts(), base.width, base.height);
     host::PassCache passes(device);
-    fmt::print("{}, {} {}, subgroup width {}; {}x{}, frame {}, {}, cull {}, precision {}, seeds 1..{} (mean ± standard deviation)\n\n",
-               device.facts().deviceName, device.facts().driverName, device.facts().driverInfo, device.facts().subgroupSize, base.width, base.height,
-               base.frame, bothLights ? "lights 0 and 1" : fmt::format("light {}", base.light), cull,
+    fmt::print("{}; {}x{}, frame {}, {}, cull {}, precision {}, seeds 1..{} (mean ± standard deviation)\n\n", bench::describe(device), base.width,
+               base.height, base.frame, bothLights ? "lights 0 and 1" : fmt::format("light {}", base.light), cull,
                table == "ladder"                      ? "all"
                : table == "routing" || table == "own" ? "certified"
                                                       : precision,
@@ -69,13 +60,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
-        return run(argc, argv);
-    } catch (const gno::host::InputError& error) {
-        std::fprintf(stderr, "gnomon-bench: %s\n", error.what());
-        return 2;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "gnomon-bench: %s\n", error.what());
-        return 1;
-    }
+    return gno::bench::guarded("gnomon-bench", [&] { return run(argc, argv); });
 }
