@@ -21,7 +21,7 @@ struct Variant {
 };
 
 const std::vector<Variant> kVariants{
-    {"2011", "ptsv-2011", {}},
+    {"2011", "ptsv-2011", {"split=off"}},
     {"implicit", "ptsv", {"bounds=implicit", "planes=own", "split=off"}},
     {"+ extra planes", "ptsv", {"bounds=implicit", "split=off"}},
     {"+ explicit bounds", "ptsv", {"bounds=compact", "split=off"}},
