@@ -26,6 +26,7 @@ int run(int argc, char** argv) {
     app.add_option("--cull", cull, "none, front, hull or all")->capture_default_str()->check(CLI::IsMember({"none", "front", "hull", "all"}));
     app.add_option("--precision", precision, "published, conservative or certified")->capture_default_str();
     app.add_option("--csv", job.csv, "file for the numbers of every frame (paths)");
+    app.add_flag("--defaults", job.defaults, "default settings only (product)");
     app.add_option("--keep", job.keep, "folder to write the view samples to (product)")->check(CLI::ExistingDirectory);
     app.add_option(
            "--given", job.given,

@@ -88,6 +88,11 @@ uint64_t printProduct(host::PassCache& passes, const ClusterJob& job) {
             const host::OracleAnswer answer = host::makeOracle()->ask({frame.triangles, casters, inputs.light(), samples}, [](double) {});
             const std::string what = fmt::format("{} light {}", stem, light);
             check(inputs, answer, what, "d-hybrid", {}, job.precision, sum);
+            if (job.defaults) {
+                check(inputs, answer, what, "ptsv-2011", {}, job.precision, sum);
+                check(inputs, answer, what, "ptsv", {}, job.precision, sum);
+                continue;
+            }
             for (const char* split : {"off", "1", "2", "3"}) {
                 const std::string splitSetting = std::string("split=") + split;
                 for (const char* planes : {"own", "extra"})

@@ -15,6 +15,7 @@ struct ClusterJob {
     host::Cull cull = host::Cull::front;  ///< as in the paper's figure 6
     host::Precision precision = host::Precision::certified;
     std::string csv;          ///< per-frame numbers go here; empty: nowhere
+    bool defaults = false;    ///< product: the default settings only
     std::string keep, given;  ///< product: folder to write view samples to, to take them from instead of rasterising; empty: neither
 };
 
