@@ -2,8 +2,10 @@
 // gnomon top/build.glsl : a TOP tree over shadow volumes, built by one invocation per caster without locks and without fences.
 // After Mora et al., EGSR 2016, algorithm 2 (depth and ancestor links included); margins and bounds as in plane.glsl.
 //
-//   void gnoTopSetUp(uint caster, int facing)        dispatch 1: writes the caster's planes and empty links; facing 0: it is left out
-//   bool gnoTopInsert(uint caster)                   dispatch 2: files the caster; false: left out, or inside another volume and not needed
+//   void gnoTopSetUp(uint block, int facing)         dispatch 1: writes a caster's planes and empty links; facing 0: it is left out
+//   bool gnoTopInsert(uint block)                    dispatch 2: files the caster; false: left out, or inside another volume and not needed
+//
+// A block is four nodes, 4 * block and on. Here block b is caster b's; where a caster stands in several trees (glsl/forest) it has a block in each.
 //
 // Dispatch 1 writes all that never changes. Dispatch 2 touches links only by relaxed atomics: a compare-and-swap takes an empty child or tells
 // who has it. Planes and links are published by the dispatch boundary, so no acquire or release is needed, on any device. Before dispatch 1
@@ -32,7 +34,9 @@
 // Macro                     required  default                   meaning
 // GNO_TOP_PLANES            yes       -                         array of vec4, 4 per caster
 // GNO_TOP_LINKS             yes       -                         array of GnoTopLink in a storage buffer, 4 per caster
-// GNO_TOP_HEADER            yes       -                         GnoTopHeader in a storage buffer
+// GNO_TOP_HEADER            yes       -                         GnoTopHeader in a storage buffer; not where GNO_TOP_ROOT_OF is given
+// GNO_TOP_ROOT_OF(block)    no        GNO_TOP_HEADER.root       uint in a storage buffer: the root of the tree that block belongs to
+// GNO_TOP_CASTER_OF(block)  no        (block)                   the caster of a block
 // GNO_LIGHT                 yes       -                         vec4, homogeneous (core/light.glsl)
 // GNO_LOAD_CASTER(index)    yes       -                         GnoCaster
 // GNO_PRECISION             no        GNO_PRECISION_CERTIFIED   rung of the ladder; the queries must use the same
@@ -40,7 +44,7 @@
 #define GNO_TOP_BUILD_GLSL
 #include "../core/counters.glsl"
 #include "plane.glsl"
-#if !defined(GNO_TOP_PLANES) || !defined(GNO_TOP_LINKS) || !defined(GNO_TOP_HEADER)
+#if !defined(GNO_TOP_PLANES) || !defined(GNO_TOP_LINKS) || !(defined(GNO_TOP_HEADER) || defined(GNO_TOP_ROOT_OF))
 #error "top/build.glsl: define GNO_TOP_PLANES, GNO_TOP_LINKS and GNO_TOP_HEADER or include top/bindings.glsl before this file"
 #endif
 #ifndef GNO_LIGHT
@@ -48,6 +52,12 @@
 #endif
 #ifndef GNO_LOAD_CASTER
 #error "top/build.glsl: define GNO_LOAD_CASTER(index) or include core/bindings.glsl before this file"
+#endif
+#ifndef GNO_TOP_ROOT_OF
+#define GNO_TOP_ROOT_OF(block_) GNO_TOP_HEADER.root
+#endif
+#ifndef GNO_TOP_CASTER_OF
+#define GNO_TOP_CASTER_OF(block_) (block_)
 #endif
 #ifndef GNO_PRECISION
 #define GNO_PRECISION GNO_PRECISION_CERTIFIED
@@ -78,9 +88,9 @@ GNO_INLINE void gnoTopWiden_(uint node_, uint wedge_) {
     }
 }
 
-GNO_INLINE void gnoTopSetUp(uint caster_, int facing_) {
-    uint first_ = 4u * caster_;
-    GnoCaster t_ = GNO_LOAD_CASTER(caster_);
+GNO_INLINE void gnoTopSetUp(uint block_, int facing_) {
+    uint first_ = 4u * block_;
+    GnoCaster t_ = GNO_LOAD_CASTER(GNO_TOP_CASTER_OF(block_));
     for (uint i_ = 0u; i_ < 4u; ++i_) {
         GNO_TOP_LINKS[first_ + i_].positiveChild = GNO_TOP_NONE;
         GNO_TOP_LINKS[first_ + i_].intersectionChild = GNO_TOP_NONE;
@@ -108,10 +118,10 @@ GNO_INLINE void gnoTopSetUp(uint caster_, int facing_) {
     GNO_TOP_PLANES[first_ + 3u] = gnoTopCapPlane(GNO_LIGHT, t_, facing_, GNO_PRECISION);
 }
 
-GNO_INLINE bool gnoTopInsert(uint caster_) {
-    uint first_ = 4u * caster_;
+GNO_INLINE bool gnoTopInsert(uint block_) {
+    uint first_ = 4u * block_;
     if ((GNO_TOP_LINKS[first_ + 2u].aux & 3u) == 1u) return false;  // facing 0: left out; written in dispatch 1 only
-    GnoCaster t_ = GNO_LOAD_CASTER(caster_);
+    GnoCaster t_ = GNO_LOAD_CASTER(GNO_TOP_CASTER_OF(block_));
     vec3 q0_ = gnoFromLight(GNO_LIGHT, t_.a);
     vec3 q1_ = gnoFromLight(GNO_LIGHT, t_.b);
     vec3 q2_ = gnoFromLight(GNO_LIGHT, t_.c);
@@ -121,7 +131,7 @@ GNO_INLINE bool gnoTopInsert(uint caster_) {
     uint depthBits_ = floatBitsToUint(depth_);
     uint ancestor_ = GNO_TOP_NONE;
 
-    uint node_ = atomicCompSwap(GNO_TOP_HEADER.root, GNO_TOP_NONE, first_);
+    uint node_ = atomicCompSwap(GNO_TOP_ROOT_OF(block_), GNO_TOP_NONE, first_);
     while (node_ != GNO_TOP_NONE) {
         GNO_COUNT(buildSteps, 1u);
         bool cap_ = (node_ & 3u) == 3u;
@@ -139,7 +149,7 @@ GNO_INLINE bool gnoTopInsert(uint caster_) {
         if (GNO_PRECISION == GNO_PRECISION_CERTIFIED && near_) {
             uint flags_ = GNO_TOP_LINKS[(node_ & ~3u) + 2u].aux;  // written in dispatch 1 only
             if ((flags_ & (GNO_TOP_SUBSTITUTE << (node_ & 3u))) == 0u) {
-                GnoCaster owner_ = GNO_LOAD_CASTER(node_ >> 2);
+                GnoCaster owner_ = GNO_LOAD_CASTER(GNO_TOP_CASTER_OF(node_ >> 2));
                 neither_ = bvec3(gnoTopTouches_(t_.a, owner_, node_ & 3u), gnoTopTouches_(t_.b, owner_, node_ & 3u), gnoTopTouches_(t_.c, owner_, node_ & 3u));
                 sides_ = vec3(neither_.x ? 0.0f : sides_.x, neither_.y ? 0.0f : sides_.y, neither_.z ? 0.0f : sides_.z);
             }

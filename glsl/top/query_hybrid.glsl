@@ -29,7 +29,7 @@ GNO_INLINE bool gnoTopQueryHybrid(GnoViewSample s_) {
     uint used_ = 0u;
     uint resume_ = GNO_TOP_NONE;  // the node at which the stack takes over again; GNO_TOP_NONE: it is in use
     bool twice_ = false;          // this node's intersection child was visited already
-    uint index_ = GNO_TOP_ROOT;
+    uint index_ = GNO_TOP_FIND_ROOT(point_.q);
     while (index_ != GNO_TOP_NONE) {
         GnoTopNode node_ = GNO_TOP_LOAD_NODE(index_);
         GNO_COUNT(visitedNodes, 1u);

@@ -30,7 +30,7 @@ GNO_INLINE bool gnoTopQueryStack(GnoViewSample s_) {
     uint stack_[GNO_TOP_STACK_SIZE];
     uint used_ = 0u;
     bool lost_ = false;
-    uint index_ = GNO_TOP_ROOT;
+    uint index_ = GNO_TOP_FIND_ROOT(point_.q);
     while (index_ != GNO_TOP_NONE) {
         GnoTopNode node_ = GNO_TOP_LOAD_NODE(index_);
         GNO_COUNT(visitedNodes, 1u);

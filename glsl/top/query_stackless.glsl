@@ -21,7 +21,7 @@ GNO_NAMESPACE_BEGIN
 GNO_INLINE bool gnoTopQueryStackless(GnoViewSample s_) {
     GnoTopPoint_ point_ = gnoTopPoint_(s_);
     bool twice_ = false;  // this node's intersection child was visited already
-    uint index_ = GNO_TOP_ROOT;
+    uint index_ = GNO_TOP_FIND_ROOT(point_.q);
     while (index_ != GNO_TOP_NONE) {
         GnoTopNode node_ = GNO_TOP_LOAD_NODE(index_);
         GNO_COUNT(visitedNodes, 1u);

@@ -19,6 +19,8 @@
 // GNO_TOP_LOAD_ANCESTOR(index) yes       -                        ancestor link of the volume that node index belongs to
 // GNO_TOP_LOAD_FLAGS(index)    yes       -                        aux of the third node of the volume that node index belongs to (node.h)
 // GNO_TOP_ROOT                 no        0u                       index of the root; GNO_TOP_NONE means an empty tree: everything is lit
+// GNO_TOP_FIND_ROOT(q)         no        GNO_TOP_ROOT             the root of the tree to ask for a point q = gnoFromLight(p), where there are several
+// GNO_TOP_CASTER_OF(block)     no        (block)                  the caster of nodes 4 * block and on
 // GNO_LIGHT                    yes       -                        vec4, homogeneous (core/light.glsl)
 // GNO_LOAD_CASTER(index)       yes       -                        GnoCaster, on the scene grid
 // GNO_PRECISION                no        GNO_PRECISION_CERTIFIED  rung of the ladder; the one the tree was built with
@@ -39,6 +41,12 @@
 #endif
 #ifndef GNO_TOP_ROOT
 #define GNO_TOP_ROOT 0u
+#endif
+#ifndef GNO_TOP_FIND_ROOT
+#define GNO_TOP_FIND_ROOT(q_) GNO_TOP_ROOT
+#endif
+#ifndef GNO_TOP_CASTER_OF
+#define GNO_TOP_CASTER_OF(block_) (block_)
 #endif
 #ifndef GNO_PRECISION
 #define GNO_PRECISION GNO_PRECISION_CERTIFIED
@@ -78,7 +86,7 @@ GNO_INLINE bool gnoTopMeetsIntersection_(GnoTopPoint_ point_, GnoTopNode node_, 
 
 // The exact side of a point in the band: 1 positive, -1 negative, 0 on the plane.
 GNO_INLINE int gnoTopExactSide_(GnoTopPoint_ point_, uint index_, uint flags_) {
-    GnoCaster t_ = GNO_LOAD_CASTER(index_ >> 2);
+    GnoCaster t_ = GNO_LOAD_CASTER(GNO_TOP_CASTER_OF(index_ >> 2));
     uint place_ = index_ & 3u;
     vec4 origin_ = place_ == 3u ? vec4(t_.a, 1.0f) : GNO_LIGHT;  // orient3d(a, b, c, p), or orient3d(light, a, b, p) and its rotations
     vec3 first_ = place_ == 0u ? t_.a : place_ == 2u ? t_.c : t_.b;
@@ -97,9 +105,8 @@ GNO_INLINE uint gnoTopNext_(GnoTopPoint_ point_, GnoTopNode node_, uint index_, 
         if (side_ > 0.0f) return node_.positiveChild;
         return cap_ ? GNO_TOP_SHADOW_ : index_ + 1u;
     }
-    uint owner_ = index_ >> 2;
     bool uncertain_ = abs(side_) <= gnoTopBand(GNO_LIGHT, cap_, point_.scale, cap_ ? uintBitsToFloat(node_.aux) : 0.0f);
-    if (cap_ && owner_ == point_.own) return node_.positiveChild;
+    if (cap_ && (uncertain_ || side_ < 0.0f) && GNO_TOP_CASTER_OF(index_ >> 2) == point_.own) return node_.positiveChild;
     if (GNO_PRECISION == GNO_PRECISION_CERTIFIED && (uncertain_ || (cap_ && side_ < 0.0f))) {
         uint place_ = index_ & 3u;
         uint flags_ = GNO_TOP_LOAD_FLAGS(index_);
@@ -109,13 +116,14 @@ GNO_INLINE uint gnoTopNext_(GnoTopPoint_ point_, GnoTopNode node_, uint index_, 
         uint end_ = uncertain_ ? place_ + 1u : place_;
         bool positive_ = false;
         for (; asked_ < end_ && !positive_; ++asked_) {
-            int exact_ = gnoTopExactSide_(point_, 4u * owner_ + asked_, flags_);
+            int exact_ = gnoTopExactSide_(point_, (index_ & ~3u) + asked_, flags_);
             positive_ = asked_ == 3u ? exact_ >= 0 : exact_ > 0;
         }
         if (positive_) return node_.positiveChild;
         return cap_ ? GNO_TOP_SHADOW_ : index_ + 1u;
     }
     if (uncertain_) {
+        uint owner_ = GNO_TOP_CASTER_OF(index_ >> 2);
         if (owner_ != point_.own) {
             GNO_COUNT(exactCalls, 1u);
             if (gnoDecideInShadow(GNO_LIGHT, GNO_LOAD_CASTER(owner_), point_.position, GNO_PRECISION)) return GNO_TOP_SHADOW_;

@@ -3,10 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
+#include <string>
 
-#include "host_min/techniques/measure.hpp"
+#include "host_min/techniques/query_pass.hpp"
 #include "host_min/techniques/top_tree.hpp"
 
 namespace gno::host {
@@ -53,17 +52,19 @@ public:
         TechniqueResult result;
         result.passes = tree.passes();
         result.bytes = {{"tree", tree.bytes()}};
-        Image visibility(inputs.device(), inputs.width(), inputs.height(), vk::Format::eR32Uint);
-        visibility.clear(vk::ClearColorValue(kPoison, kPoison, kPoison, kPoison));
-        if (options.counters) count(inputs, tree, settings, options, visibility, result);
-        const bool fragment = settings.word("stage") == "fragment";
-        const auto times = measure(inputs.device(), options.repeat, options.warmUp, [&](Recording& recording) {
-            recording.beginPass("top_query");
-            query(recording, inputs, tree, settings, options, visibility, nullptr, fragment);
-            recording.endPass();
-        });
-        result.passes.push_back({times.front().name, times.front().ms});
-        result.visibility = visibility.downloadAs<uint32_t>();
+        Specialization constants{{0, uint32_t(options.precision)}, {2, variant_.depthTest ? 1u : 0u}};
+        if (variant_.stack > 0) constants[1] = settings.number("stack");
+        ask(inputs,
+            {std::string("top/examples/") + variant_.shader,
+             constants,
+             {{"gnoTopPlanes", &tree.planes()}, {"gnoTopLinks", &tree.links()}, {"gnoTopHeader", &tree.header()}},
+             "top_query",
+             settings.word("stage") == "fragment"},
+            options, result);
+        result.counters.dropped = tree.counters().dropped;
+        result.counters.more = {{"inserted", tree.counters().inserted},
+                                {"build_steps", tree.counters().steps},
+                                {"intersection_steps", tree.counters().intersections}};
         if (options.dump) {
             result.dump.push_back({"planes", "vec4 plane[4 * casters]", tree.planes().download()});
             result.dump.push_back({"links", "GnoTopLink link[4 * casters]", tree.links().download()});
@@ -73,55 +74,6 @@ public:
     }
 
 private:
-    static constexpr uint32_t kPoison = 0xDEADBEEFu;  // a shader that writes nothing must not look right
-
-    Specialization constants(const Settings& settings, const RunOptions& options) const {
-        Specialization result{{0, uint32_t(options.precision)}, {2, variant_.depthTest ? 1u : 0u}};
-        if (variant_.stack > 0) result[1] = settings.number("stack");
-        return result;
-    }
-
-    void query(Recording& recording, const FrameInputs& inputs, const TopTree& tree, const Settings& settings, const RunOptions& options, const Image& visibility,
-               const Image* counts, bool fragment) const {
-        const std::string base = fmt::format("top/examples/{}", variant_.shader);
-        const ExamplePush push = inputs.push();
-        const auto bytes = std::as_bytes(std::span(&push, 1));
-        const std::array resources{Binding{"gnoCasters", &inputs.casters()},  Binding{"gnoTopPlanes", &tree.planes()}, Binding{"gnoTopLinks", &tree.links()},
-                                   Binding{"gnoTopHeader", &tree.header()},   Binding{"gnoSamples", &inputs.samples()}, Binding{"gnoVisibility", &visibility},
-                                   Binding{"gnoCounts", counts ? counts : &inputs.samples()}};
-        if (fragment) {
-            const std::array formats{visibility.format()};
-            const RasterPass& pass = inputs.passes().raster("core/examples/fullscreen.vert", base + ".frag", formats, false, constants(settings, options));
-            const std::array targets{RasterPass::Target{&visibility, vk::ClearColorValue(kPoison, kPoison, kPoison, kPoison)}};
-            pass.draw(recording, targets, nullptr, resources, bytes, 3);
-        } else {
-            const ComputePass& pass = inputs.passes().compute(base + (counts ? ".comp.counters" : ".comp"), constants(settings, options));
-            pass.dispatch(recording, resources, bytes, (inputs.width() + 7) / 8, (inputs.height() + 7) / 8);
-        }
-    }
-
-    void count(const FrameInputs& inputs, const TopTree& tree, const Settings& settings, const RunOptions& options, const Image& visibility,
-               TechniqueResult& result) const {
-        Image counts(inputs.device(), inputs.width(), inputs.height(), vk::Format::eR32G32B32A32Uint);
-        counts.clear(vk::ClearColorValue(kPoison, kPoison, kPoison, kPoison));
-        Recording recording(inputs.device());
-        query(recording, inputs, tree, settings, options, visibility, &counts, false);
-        recording.submit();
-        RecordCounters& totals = result.counters;
-        for (const glm::uvec4& pixel : counts.downloadAs<glm::uvec4>()) {
-            result.visitedNodes.push_back(pixel.x);
-            result.deepestStack.push_back(pixel.y);
-            totals.visitedNodes += pixel.x;
-            totals.maxStack = std::max<uint64_t>(totals.maxStack, pixel.y);
-            totals.stackOverflows += pixel.z;
-            totals.exactCalls += pixel.w;
-        }
-        totals.dropped = tree.counters().dropped;
-        totals.more = {{"inserted", tree.counters().inserted},
-                       {"build_steps", tree.counters().steps},
-                       {"intersection_steps", tree.counters().intersections}};
-    }
-
     Variant variant_;
     TechniqueInfo info_;
 };

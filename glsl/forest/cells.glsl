@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// gnomon forest/cells.glsl : which cell of the light's grid a view sample lies in, and which cells a caster's shadow volume may meet.
+//
+//   vec3  gnoCellPlace(vec4 light, GnoForestGrid grid, uint face, vec3 q)      on a face: x and y over z, z > 0 in front of it; directional: z = 1
+//   uint  gnoCellOf(vec4 light, GnoForestGrid grid, vec3 q)                    the cell of a point
+//   GnoCellVolume gnoCellVolume(vec4 light, GnoCaster t, int facing)           what the functions below want to know of a caster
+//   uvec4 gnoCellRectangle(vec4 light, GnoForestGrid grid, uint face, GnoCellVolume v)           columns x .. z-1, rows y .. w-1: no other cell of the face can be met
+//   bool  gnoCellMissed(vec4 light, GnoForestGrid grid, uint face, uvec2 at, GnoCellVolume v)    true: the shadow volume certainly meets no point of the cell
+//   bool  gnoCellCovered(vec4 light, GnoForestGrid grid, uint face, uvec2 at, GnoCellVolume v)   true: see 5
+//
+// Space      light coordinates, q = gnoFromLight(p); facing = gnoFacing(light, t), never 0
+// Stages     any; pure
+// Requires   #version 450, no extension
+// Source     this project; margins derived below
+//
+// u = GNO_ULP = 2^-23 bounds the relative error of one operation, 2.5u that of a division; E = GNO_BAND = 8u.
+//
+// 1. A point's cell. Point light: q is rounded, so x and z err by u each, x/z by 5u in all where |x| <= |z|, and the face is chosen by the computed q. Subtracting -1
+//    errs by 2u, the division by the step by 5u, in units of x/z: a point of cell i has exactly x/z in [bound(i) - 2E, bound(i+1) + 2E], also where the index was clamped.
+//    Directional: x = U.p errs by 4uS (S = GNO_SCENE_RADIUS), the subtraction by 2uS, the division by 5uS: less than 2ES in all. The
+//    cells at the border hold what lies beyond it, too: casters and samples alike are clamped into them, and their corners lie at -2 and 2, farther than any sample.
+// 2. A cell's pyramid (prism). Its corners are taken at bound - 6E and bound + 6E (directional: 6ES), rounded: it holds every point of the cell.
+// 3. Rectangle. Where z > 0 at all three vertices (a difference of two numbers has the exact sign) the volume has exactly x/z between the vertices' least and greatest,
+//    whose computed values err by 5u of themselves. If the volume meets cell i, the least is below bound(i+1) + 2E, computed below bound(i+1) + 3E; it is looked up
+//    6E lower, which covers the 9u of the look-up. Directional: x errs by 4uS, and a point of the volume is v - mu D', mu <= 2S, D' the light's direction, at a right angle to
+//    the axis but for 2u: 8uS, with 1. and the look-up 33uS, and 6ES are taken. Where z <= 0 at one or two vertices all cells are taken; z < 0 at all three: none, the volume lies behind the face.
+// 4. Missed. A lateral plane is held against the corners as it is against a caster in a tree (top/plane.glsl, 3 and 5): all four on the positive side by
+//    gnoTopMargin, so is every point of the pyramid (prism), and the caster's volume is on the other side. This holds for a substitute plane as well.
+// 5. Covered. All four corners on the negative side of all three lateral planes by gnoTopMargin, none of them a substitute (it does not bound the caster): each direction of
+//    the cell passes through the open caster. A view sample of the cell is then behind the caster, in its shadow; or it is in front of it or on it, and no farther
+//    from the light than `most`. A caster that starts beyond `most` decides neither, as long as the covering one stays in the cell. (A sample that lies on the covering
+//    caster is on the light's side of it: gnoMakeViewSample.)
+#ifndef GNO_FOREST_CELLS_GLSL
+#define GNO_FOREST_CELLS_GLSL
+#include "../top/plane.glsl"
+#include "cells.h"
+GNO_NAMESPACE_BEGIN
+
+// Face f looks along axis f/2, even f to its positive end. Only the order and the sign of coordinates change: nothing is rounded.
+GNO_INLINE vec3 gnoCellPlace(vec4 light_, GnoForestGrid grid_, uint face_, vec3 q_) {
+    if (light_.w == 0.0f) return vec3(gnoDot(vec3(grid_.across), q_), gnoDot(vec3(grid_.along), q_), 1.0f);
+    vec3 turned_ = face_ < 2u ? vec3(q_.y, q_.z, q_.x) : face_ < 4u ? vec3(q_.z, q_.x, q_.y) : q_;
+    return (face_ & 1u) == 0u ? turned_ : vec3(turned_.x, turned_.y, -turned_.z);
+}
+
+GNO_INLINE uint gnoCellIndex_(float place_, float least_, float step_, uint resolution_) {
+    float at_ = (place_ - least_) / step_;
+    if (!(at_ > 0.0f)) return 0u;  // not a number: the point is the light
+    return min(uint(at_), resolution_ - 1u);
+}
+
+GNO_INLINE uint gnoCellOf(vec4 light_, GnoForestGrid grid_, vec3 q_) {
+    vec3 far_ = abs(q_);
+    uint face_ = 0u;
+    if (light_.w != 0.0f) {
+        face_ = far_.x >= far_.y && far_.x >= far_.z ? (q_.x < 0.0f ? 1u : 0u) : far_.y >= far_.z ? (q_.y < 0.0f ? 3u : 2u) : (q_.z < 0.0f ? 5u : 4u);
+    }
+    vec3 place_ = gnoCellPlace(light_, grid_, face_, q_);
+    uint x_ = gnoCellIndex_(place_.x / place_.z, grid_.across.w, grid_.stepAcross, grid_.resolution);
+    uint y_ = gnoCellIndex_(place_.y / place_.z, grid_.along.w, grid_.stepAlong, grid_.resolution);
+    return (face_ * grid_.resolution + y_) * grid_.resolution + x_;
+}
+
+GNO_INLINE float gnoCellSlack_(vec4 light_) { return light_.w == 0.0f ? 6.0f * GNO_BAND * GNO_SCENE_RADIUS : 6.0f * GNO_BAND; }
+
+struct GnoCellVolume {
+    vec3 q0;      // the vertices, seen from the light
+    vec3 q1;
+    vec3 q2;
+    vec4 ab;      // lateral planes, as in a tree; inside is negative
+    vec4 bc;
+    vec4 ca;
+    float least;  // lower bound of gnoLightDepth over the caster
+    float most;   // upper bound of it
+    bool bounded; // none of the planes is a substitute
+};
+
+GNO_INLINE GnoCellVolume gnoCellVolume(vec4 light_, GnoCaster t_, int facing_) {
+    GnoCellVolume v_;
+    v_.q0 = gnoFromLight(light_, t_.a);
+    v_.q1 = gnoFromLight(light_, t_.b);
+    v_.q2 = gnoFromLight(light_, t_.c);
+    v_.least = gnoTopLeastDepth(light_, t_);
+    float most_ = max(gnoLightDepth(light_, v_.q0), max(gnoLightDepth(light_, v_.q1), gnoLightDepth(light_, v_.q2)));
+    v_.most = light_.w == 0.0f ? most_ + 5.0f * GNO_BAND : most_ * (1.0f + 2.0f * GNO_BAND);  // a point's own depth errs by 4u, directional by 16u
+    bool substituted_ = false;
+    if (gnoTopSubstitute(light_, t_, 0u, v_.ab)) substituted_ = true;
+    else v_.ab = gnoTopLateralPlane(light_, t_.a, t_.b, facing_, GNO_PRECISION_CERTIFIED);
+    if (gnoTopSubstitute(light_, t_, 1u, v_.bc)) substituted_ = true;
+    else v_.bc = gnoTopLateralPlane(light_, t_.b, t_.c, facing_, GNO_PRECISION_CERTIFIED);
+    if (gnoTopSubstitute(light_, t_, 2u, v_.ca)) substituted_ = true;
+    else v_.ca = gnoTopLateralPlane(light_, t_.c, t_.a, facing_, GNO_PRECISION_CERTIFIED);
+    v_.bounded = !substituted_;
+    return v_;
+}
+
+// Columns (or rows) from `least` to `greatest` on an axis; x >= y: none.
+GNO_INLINE uvec2 gnoCellRange_(vec4 light_, float least_, float greatest_, float axisLeast_, float step_, uint resolution_) {
+    float last_ = float(resolution_ - 1u);
+    float slack_ = gnoCellSlack_(light_);
+    float from_ = (least_ - slack_ - axisLeast_) / step_;
+    float to_ = (greatest_ + slack_ - axisLeast_) / step_;
+    if (light_.w != 0.0f && (from_ >= last_ + 1.0f || to_ < 0.0f)) return uvec2(0u, 0u);
+    return uvec2(uint(min(max(from_, 0.0f), last_)), uint(min(max(to_, 0.0f), last_)) + 1u);
+}
+
+GNO_INLINE uvec4 gnoCellRectangle(vec4 light_, GnoForestGrid grid_, uint face_, GnoCellVolume v_) {
+    vec3 a_ = gnoCellPlace(light_, grid_, face_, v_.q0);
+    vec3 b_ = gnoCellPlace(light_, grid_, face_, v_.q1);
+    vec3 c_ = gnoCellPlace(light_, grid_, face_, v_.q2);
+    if (a_.z < 0.0f && b_.z < 0.0f && c_.z < 0.0f) return uvec4(0u, 0u, 0u, 0u);
+    if (!(a_.z > 0.0f && b_.z > 0.0f && c_.z > 0.0f)) return uvec4(0u, 0u, grid_.resolution, grid_.resolution);
+    vec3 x_ = vec3(a_.x / a_.z, b_.x / b_.z, c_.x / c_.z);
+    vec3 y_ = vec3(a_.y / a_.z, b_.y / b_.z, c_.y / c_.z);
+    uvec2 columns_ = gnoCellRange_(light_, min(x_.x, min(x_.y, x_.z)), gnoTopMax_(x_), grid_.across.w, grid_.stepAcross, grid_.resolution);
+    uvec2 rows_ = gnoCellRange_(light_, min(y_.x, min(y_.y, y_.z)), gnoTopMax_(y_), grid_.along.w, grid_.stepAlong, grid_.resolution);
+    if (columns_.x >= columns_.y || rows_.x >= rows_.y) return uvec4(0u, 0u, 0u, 0u);
+    return uvec4(columns_.x, rows_.x, columns_.y, rows_.y);
+}
+
+// Lower or upper bound of a row or column.
+GNO_INLINE float gnoCellBound_(vec4 light_, float axisLeast_, float step_, uint resolution_, uint at_, bool upper_) {
+    if (light_.w == 0.0f && !upper_ && at_ == 0u) return -2.0f;
+    if (light_.w == 0.0f && upper_ && at_ + 1u == resolution_) return 2.0f;
+    float slack_ = gnoCellSlack_(light_);
+    return axisLeast_ + float(upper_ ? at_ + 1u : at_) * step_ + (upper_ ? slack_ : -slack_);
+}
+
+// Corner 0..3 of a cell's pyramid (prism): a direction in light coordinates, of length below 1.8 (directional: the point of the grid's face).
+GNO_INLINE vec3 gnoCellCorner_(vec4 light_, GnoForestGrid grid_, uint face_, uvec2 at_, uint corner_) {
+    float x_ = gnoCellBound_(light_, grid_.across.w, grid_.stepAcross, grid_.resolution, at_.x, (corner_ & 1u) != 0u);
+    float y_ = gnoCellBound_(light_, grid_.along.w, grid_.stepAlong, grid_.resolution, at_.y, (corner_ & 2u) != 0u);
+    if (light_.w == 0.0f) return vec3(grid_.across) * x_ + vec3(grid_.along) * y_;
+    float z_ = (face_ & 1u) == 0u ? 1.0f : -1.0f;
+    return face_ < 2u ? vec3(z_, x_, y_) : face_ < 4u ? vec3(y_, z_, x_) : vec3(x_, y_, z_);
+}
+
+GNO_INLINE bool gnoCellBeyond_(vec4 light_, vec4 plane_, vec3 corner_, float sign_) {
+    return sign_ * gnoTopSide(plane_, corner_) > gnoTopMargin(light_, false, gnoLightScale(light_, corner_), 0.0f);
+}
+
+GNO_INLINE bool gnoCellAllBeyond_(vec4 light_, vec4 plane_, vec3 c0_, vec3 c1_, vec3 c2_, vec3 c3_, float sign_) {
+    return gnoCellBeyond_(light_, plane_, c0_, sign_) && gnoCellBeyond_(light_, plane_, c1_, sign_) && gnoCellBeyond_(light_, plane_, c2_, sign_) &&
+           gnoCellBeyond_(light_, plane_, c3_, sign_);
+}
+
+GNO_INLINE bool gnoCellMissed(vec4 light_, GnoForestGrid grid_, uint face_, uvec2 at_, GnoCellVolume v_) {
+    vec3 c0_ = gnoCellCorner_(light_, grid_, face_, at_, 0u);
+    vec3 c1_ = gnoCellCorner_(light_, grid_, face_, at_, 1u);
+    vec3 c2_ = gnoCellCorner_(light_, grid_, face_, at_, 2u);
+    vec3 c3_ = gnoCellCorner_(light_, grid_, face_, at_, 3u);
+    return gnoCellAllBeyond_(light_, v_.ab, c0_, c1_, c2_, c3_, 1.0f) || gnoCellAllBeyond_(light_, v_.bc, c0_, c1_, c2_, c3_, 1.0f) ||
+           gnoCellAllBeyond_(light_, v_.ca, c0_, c1_, c2_, c3_, 1.0f);
+}
+
+GNO_INLINE bool gnoCellCovered(vec4 light_, GnoForestGrid grid_, uint face_, uvec2 at_, GnoCellVolume v_) {
+    if (!v_.bounded) return false;
+    vec3 c0_ = gnoCellCorner_(light_, grid_, face_, at_, 0u);
+    vec3 c1_ = gnoCellCorner_(light_, grid_, face_, at_, 1u);
+    vec3 c2_ = gnoCellCorner_(light_, grid_, face_, at_, 2u);
+    vec3 c3_ = gnoCellCorner_(light_, grid_, face_, at_, 3u);
+    return gnoCellAllBeyond_(light_, v_.ab, c0_, c1_, c2_, c3_, -1.0f) && gnoCellAllBeyond_(light_, v_.bc, c0_, c1_, c2_, c3_, -1.0f) &&
+           gnoCellAllBeyond_(light_, v_.ca, c0_, c1_, c2_, c3_, -1.0f);
+}
+
+GNO_NAMESPACE_END
+#endif

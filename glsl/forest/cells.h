@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// gnomon forest/cells.h : a grid of cells over the directions of a light, and what is kept per cell; read by glslang and by C++20 (namespace gno).
+//
+// Point light: a cube around it, resolution x resolution cells on each face. Directional light: one face at a right angle to it.
+//
+//   array     bytes                      written by                              read by
+//   grid      48                         the host, when light or scene changes   all
+//   cells     16 * gnoCellCount          reset, depth, cover, count, allocate    insertion and queries (root)
+//   header    32                         reset, allocate                         emission, insertion
+//
+// Space      light coordinates, q = gnoFromLight(p) (core/light.glsl)
+// Stages     any
+// Requires   #version 450, no extension
+#ifndef GNO_FOREST_CELLS_H
+#define GNO_FOREST_CELLS_H
+#include "../core/shared_types.h"
+GNO_NAMESPACE_BEGIN
+
+GNO_CONST uint GNO_FOREST_NONE = 0xFFFFFFFFu;  // no root
+GNO_CONST uint GNO_FOREST_GROUP = 64u;         // invocations per work group of the passes over casters and pairs
+
+struct GnoForestGrid {   // std140 and std430, 48 bytes
+    vec4 across;         //  0  directional: xyz unit axis, w where the grid begins; point: w = -1, the rest unused
+    vec4 along;          // 16  the same for the other axis, at a right angle to the first and to the light
+    float stepAcross;    // 32  width of a cell; point: 2 / resolution
+    float stepAlong;     // 36
+    uint resolution;     // 40  cells along an edge of a face, a power of two in 1 .. 1024
+    uint faces;          // 44  6 point, 1 directional
+};
+GNO_STRUCT_SIZE(GnoForestGrid, 48)
+GNO_STRUCT_OFFSET(GnoForestGrid, stepAcross, 32)
+
+struct GnoForestCell {   // std430, 16 bytes
+    uint farthest;       //  0  1 + float bits of the greatest gnoLightDepth of a view sample in it; 0: it has none
+    uint cover;          //  4  float bits: from this depth on a caster hides the whole cell; GNO_FOREST_NONE: none does
+    uint pairs;          //  8  casters that are kept here; after allocation: where the next one goes
+    uint root;           // 12  of its tree, GNO_FOREST_NONE: no caster can shadow a sample in here
+};
+GNO_STRUCT_SIZE(GnoForestCell, 16)
+GNO_STRUCT_OFFSET(GnoForestCell, root, 12)
+
+struct GnoForestHeader { // std430, 32 bytes
+    uint groupsOfPairs;  //  0  indirect dispatch over the pairs: (groups, 1, 1)
+    uint one0;
+    uint one1;
+    uint pairs;          // 12  pairs of cell and caster; more than the pool holds: the forest is not complete, grow the pool and build again
+    uint groupsOfLarge;  // 16  indirect dispatch over the large casters
+    uint one2;
+    uint one3;
+    uint large;          // 28  casters that touch many cells, listed
+};
+GNO_STRUCT_SIZE(GnoForestHeader, 32)
+GNO_STRUCT_OFFSET(GnoForestHeader, large, 28)
+
+struct GnoForestPair {   // std430, 8 bytes: block b of the pool (nodes 4b .. 4b+3) stands for this caster in this cell
+    uint caster;
+    uint cell;
+};
+GNO_STRUCT_SIZE(GnoForestPair, 8)
+
+GNO_INLINE uint gnoCellCount(uint resolution_, uint faces_) { return faces_ * resolution_ * resolution_; }
+
+GNO_NAMESPACE_END
+#endif

@@ -1,0 +1,29 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Each pair goes into its cell's tree. One invocation per pair, in random order.
+layout(local_size_x = 64) in;
+layout(constant_id = 0) const uint kPrecision = 2u;
+#define GNO_PRECISION kPrecision
+#include "../../core/bindings.glsl"
+#include "../../core/examples/frame.glsl"
+#include "../../core/permutation.glsl"
+#include "../bindings.glsl"
+#include "../../top/bindings.glsl"
+#include "../../top/build.glsl"
+#if GNO_COUNTERS
+layout(set = 2, binding = 0, std430) buffer GnoExampleTotals { uint v[]; } gnoTotals;  // steps (low, high word), intersections, dropped, inserted
+#endif
+
+void main() {
+    uint count = min(gnoForestHeader.v.pairs, GNO_FOREST_CAPACITY);
+    if (gl_GlobalInvocationID.x >= count) return;
+    bool inserted = gnoTopInsert(gnoPermute(gl_GlobalInvocationID.x, count, gnoPush.seed));
+#if GNO_COUNTERS
+    uint before = atomicAdd(gnoTotals.v[0], gnoCounters.buildSteps);
+    if (before + gnoCounters.buildSteps < before) atomicAdd(gnoTotals.v[1], 1u);
+    atomicAdd(gnoTotals.v[2], gnoCounters.intersections);
+    atomicAdd(gnoTotals.v[3], gnoCounters.dropped);
+    atomicAdd(gnoTotals.v[4], inserted ? 1u : 0u);
+#endif
+}

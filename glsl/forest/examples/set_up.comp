@@ -1,0 +1,19 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Planes and empty links of each pair. One invocation per pair.
+layout(local_size_x = 64) in;
+layout(constant_id = 0) const uint kPrecision = 2u;
+#define GNO_PRECISION kPrecision
+#include "../../core/bindings.glsl"
+#include "../../core/caster_state.glsl"
+#include "../../core/examples/frame.glsl"
+#include "../bindings.glsl"
+#include "../../top/bindings.glsl"
+#include "../../top/build.glsl"
+layout(set = 2, binding = 0, std430) readonly buffer GnoExampleStates { uint v[]; } gnoStates;
+
+void main() {
+    uint block = gl_GlobalInvocationID.x;
+    if (block < min(gnoForestHeader.v.pairs, GNO_FOREST_CAPACITY)) gnoTopSetUp(block, gnoCasterFacing(gnoStates.v[GNO_TOP_CASTER_OF(block)]));
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "host_min/techniques/forest.hpp"
+
+#include <fmt/format.h>
+
+#include "host_min/techniques/forest_trees.hpp"
+#include "host_min/techniques/query_pass.hpp"
+
+namespace gno::host {
+namespace {
+
+class ForestTechnique final : public Technique {
+public:
+    ForestTechnique() {
+        info_.name = "forest";
+        info_.paper = "this project: a grid of TOP trees over the directions of the light";
+        info_.precisions = {Precision::conservative, Precision::certified};
+        info_.effects = {"point_light", "directional_light", "spot_light", "open_casters"};
+        info_.settings = {
+            {"cells", "along an edge of a face of the light's grid", 0, 0, {"1", "4", "8", "16", "32", "64", "128", "256"}, "64"},
+            {"view_cull", "leave out casters beyond a cell's view samples; off: the trees outlive a camera's moves", 0, 0, {"on", "off"}, "on"},
+            {"cover", "leave out casters beyond one that hides the whole cell", 0, 0, {"on", "off"}, "on"},
+            {"query", "which query of the TOP tree", 0, 0, {"stack", "stackless", "hybrid"}, "hybrid"},
+            {"stack", "entries of the query's stack", 1, 64, {}, "12"},
+            {"pool", "pairs of cell and caster the pool holds; 0: as many as the frame needs, by one read-back", 0, 2097152, {}, "0"},
+            {"seed", "of the random insertion order", 0, 4294967295u, {}, "1"},
+            {"stage", "shader stage of the timed query", 0, 0, {"compute", "fragment"}, "compute"}};
+    }
+
+    const TechniqueInfo& info() const override { return info_; }
+
+    TechniqueResult run(const FrameInputs& inputs, StructureCache& structures, const Settings& settings, const RunOptions& options) override {
+        const ForestOptions forestOptions{options.precision,
+                                          uint32_t(std::stoul(settings.word("cells"))),
+                                          settings.word("view_cull") == "on",
+                                          settings.word("cover") == "on",
+                                          settings.number("pool"),
+                                          settings.number("seed"),
+                                          options.repeat,
+                                          options.warmUp,
+                                          options.counters};
+        const std::string key = fmt::format("forest {} {} {} {} {} {}", name(options.precision), forestOptions.resolution, forestOptions.viewCull,
+                                            forestOptions.cover, forestOptions.pool, forestOptions.seed);
+        const ForestTrees& trees = structures.get<ForestTrees>(key, [&] { return std::make_shared<ForestTrees>(inputs, forestOptions); });
+
+        TechniqueResult result;
+        result.passes = trees.passes();
+        result.bytes = trees.bytes();
+        ask(inputs,
+            {"forest/examples/query_" + settings.word("query"),
+             {{0, uint32_t(options.precision)}, {1, settings.number("stack")}, {2, 1}},
+             trees.resources(),
+             "forest_query",
+             settings.word("stage") == "fragment"},
+            options, result);
+        result.counters.dropped = trees.counters().dropped;
+        result.counters.more = {{"pairs", trees.pairs()},
+                                {"large_casters", trees.large()},
+                                {"inserted", trees.counters().inserted},
+                                {"build_steps", trees.counters().steps},
+                                {"intersection_steps", trees.counters().intersections}};
+        if (options.dump) result.dump = trees.dump();
+        return result;
+    }
+
+private:
+    TechniqueInfo info_;
+};
+
+}  // namespace
+
+std::unique_ptr<Technique> makeForestTechnique() { return std::make_unique<ForestTechnique>(); }
+
+}  // namespace gno::host

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// A forest of TOP trees on the device, one per cell of the light's grid, built with glsl/forest and glsl/top as any engine would.
+#pragma once
+#include <vector>
+
+#include "glsl/forest/cells.h"
+#include "glsl/top/node.h"
+#include "host_min/output/record.hpp"
+#include "host_min/techniques/technique.hpp"
+#include "host_min/techniques/top_tree.hpp"
+
+namespace gno::host {
+
+struct ForestOptions {
+    Precision precision = Precision::certified;
+    uint32_t resolution = 64;  ///< cells along an edge of a face
+    bool viewCull = true, cover = true;
+    uint32_t pool = 0;  ///< pairs; 0: as many as the frame needs, which one read-back tells
+    uint32_t seed = 1;  ///< of the insertion order
+    uint32_t repeat = 1;
+    bool warmUp = true;
+    bool counters = true;
+};
+
+/// The contract's grid for a light: six faces around a point, or one face that holds the box from `low` to `high` (casters) and all samples.
+GnoForestGrid forestGrid(glm::vec4 light, glm::vec3 low, glm::vec3 high, uint32_t resolution);
+
+class ForestTrees {
+public:
+    /// Throws InputError when an array would pass the device's limits, or the given pool is too small.
+    ForestTrees(const FrameInputs& inputs, const ForestOptions& options);
+
+    [[nodiscard]] std::vector<Binding> resources() const;  ///< what a query binds, its own images left out
+    [[nodiscard]] const std::vector<RecordPass>& passes() const { return passes_; }
+    [[nodiscard]] const TopBuildCounters& counters() const { return counters_; }
+    [[nodiscard]] uint32_t pairs() const { return pairs_; }
+    [[nodiscard]] uint32_t large() const { return large_; }
+    [[nodiscard]] NamedNumbers bytes() const;
+    [[nodiscard]] std::vector<DumpedBuffer> dump() const;
+
+private:
+    void recordAssignment(Recording& recording) const;
+    void recordTrees(Recording& recording, const Buffer* totals) const;
+    void step(Recording& recording, uint32_t which) const;
+    [[nodiscard]] const ComputePass& pass(const std::string& name, Specialization constants = {}) const;
+
+    const FrameInputs& inputs_;
+    ForestOptions options_;
+    uint32_t cellCount_ = 0, pairs_ = 0, large_ = 0;
+    Buffer grid_, cells_, header_, largeList_, pool_, planes_, links_;
+    std::vector<RecordPass> passes_;
+    TopBuildCounters counters_;
+};
+
+}  // namespace gno::host
