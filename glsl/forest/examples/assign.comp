@@ -4,11 +4,13 @@
 // Steps 2, 3 and 5 for the casters with few cells: one invocation per caster. Step 2 lists the others.
 layout(local_size_x = 64) in;
 layout(constant_id = 32) const uint kStep = 2u;
+#include "../../core/permutation.glsl"
 #include "frame.glsl"
 
 void main() {
+    if (gl_GlobalInvocationID.x >= gnoPush.count) return;
     uint caster = gl_GlobalInvocationID.x;
-    if (caster >= gnoPush.count) return;
+    if (kStep == 5u) caster = gnoPermute(caster, gnoPush.count, gnoPush.seed);  // so that each cell has its casters in random order
     int facing = gnoCasterFacing(gnoStates.v[caster]);
     if (facing == 0) return;
     GnoCellVolume v = gnoCellVolume(GNO_LIGHT, GNO_LOAD_CASTER(caster), facing);

@@ -18,7 +18,7 @@ layout(set = 2, binding = 0, std430) buffer GnoExampleTotals { uint v[]; } gnoTo
 void main() {
     uint count = min(gnoForestHeader.v.pairs, GNO_FOREST_CAPACITY);
     if (gl_GlobalInvocationID.x >= count) return;
-    bool inserted = gnoTopInsert(gnoPermute(gl_GlobalInvocationID.x, count, gnoPush.seed));
+    bool inserted = gnoTopInsert(gl_GlobalInvocationID.x);
 #if GNO_COUNTERS
     uint before = atomicAdd(gnoTotals.v[0], gnoCounters.buildSteps);
     if (before + gnoCounters.buildSteps < before) atomicAdd(gnoTotals.v[1], 1u);
