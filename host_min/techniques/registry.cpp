@@ -6,6 +6,7 @@
 
 #include "host_min/error.hpp"
 #include "host_min/techniques/clusters.hpp"
+#include "host_min/techniques/ray_query.hpp"
 #include "host_min/techniques/technique.hpp"
 #include "host_min/techniques/top.hpp"
 
@@ -17,12 +18,15 @@ const std::vector<std::unique_ptr<Technique>>& techniques() {
         for (const TopQuery query : {TopQuery::psv, TopQuery::dPsv, TopQuery::dStackless, TopQuery::dHybrid}) made.push_back(makeTopTechnique(query));
         made.push_back(makeClusterTechnique(false));
         made.push_back(makeClusterTechnique(true));
+        made.push_back(makeRayQueryTechnique());
         return made;
     }();
     return list;
 }
 
 std::string missingFor(const TechniqueInfo& info, const DeviceFacts& device) {
+    if (info.rayQuery && !device.rayQuery)
+        return "VkPhysicalDeviceRayQueryFeaturesKHR::rayQuery with accelerationStructure and bufferDeviceAddress (VK_KHR_ray_query)";
     return info.subgroupBallot && !device.subgroupBallot ? "VkPhysicalDeviceSubgroupProperties::supportedOperations: VK_SUBGROUP_FEATURE_BALLOT_BIT in compute shaders" : "";
 }
 
@@ -36,8 +40,7 @@ const std::vector<std::pair<std::string, std::string>>& plannedTechniques() {
         {"shadow-map", "shadow maps, with caster culling of 2011"},
         {"forest", "a cube map of small TOP trees"},
         {"light-bvh", "light-space bounding volume hierarchy"},
-        {"light-grid", "caster lists by light direction"},
-        {"ray-query", "VK_KHR_ray_query"}};
+        {"light-grid", "caster lists by light direction"}};
     return list;
 }
 

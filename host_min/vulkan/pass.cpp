@@ -5,6 +5,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "host_min/vulkan/acceleration_structure.hpp"
 #include "host_min/vulkan/buffer.hpp"
 #include "host_min/vulkan/device.hpp"
 #include "host_min/vulkan/image.hpp"
@@ -70,6 +71,8 @@ void PassLayout::bind(Recording& recording, vk::PipelineBindPoint point, std::sp
     for (const auto& layout : sets_) sets.push_back(recording.allocateSet(*layout));
     std::vector<vk::DescriptorBufferInfo> buffers(bindings_.size());
     std::vector<vk::DescriptorImageInfo> images(bindings_.size());
+    std::vector<vk::AccelerationStructureKHR> structures(bindings_.size());
+    std::vector<vk::WriteDescriptorSetAccelerationStructureKHR> structureWrites(bindings_.size());
     std::vector<vk::WriteDescriptorSet> writes;
     for (size_t i = 0; i < bindings_.size(); ++i) {
         const ShaderBinding& wanted = bindings_[i];
@@ -79,6 +82,10 @@ void PassLayout::bind(Recording& recording, vk::PipelineBindPoint point, std::sp
         if (const auto* buffer = std::get_if<const Buffer*>(&given->resource)) {
             buffers[i] = vk::DescriptorBufferInfo((*buffer)->handle(), 0, VK_WHOLE_SIZE);
             write.pBufferInfo = &buffers[i];
+        } else if (const auto* structure = std::get_if<const AccelerationStructure*>(&given->resource)) {
+            structures[i] = (*structure)->handle();
+            structureWrites[i] = vk::WriteDescriptorSetAccelerationStructureKHR(1, &structures[i]);
+            write.pNext = &structureWrites[i];
         } else {
             images[i] = vk::DescriptorImageInfo({}, std::get<const Image*>(given->resource)->view(), vk::ImageLayout::eGeneral);
             write.pImageInfo = &images[i];

@@ -13,6 +13,7 @@
 
 namespace gno::host {
 
+class AccelerationStructure;
 class Buffer;
 class Device;
 class Image;
@@ -20,7 +21,7 @@ class Recording;
 
 struct Binding {
     std::string_view name;
-    std::variant<const Buffer*, const Image*> resource;
+    std::variant<const Buffer*, const Image*, const AccelerationStructure*> resource;
 };
 
 using Specialization = std::map<uint32_t, uint32_t>;  ///< constant id -> 32-bit value; ids that the shader lacks are ignored

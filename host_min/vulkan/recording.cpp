@@ -31,9 +31,10 @@ vk::DescriptorSet Recording::allocateSet(vk::DescriptorSetLayout layout) {
         } catch (const vk::OutOfPoolMemoryError&) {  // take another pool
         }
     }
-    const std::array sizes{vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, 8 * kSetsPerPool),
+    std::vector sizes{vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, 8 * kSetsPerPool),
                            vk::DescriptorPoolSize(vk::DescriptorType::eUniformBuffer, 2 * kSetsPerPool),
                            vk::DescriptorPoolSize(vk::DescriptorType::eStorageImage, 4 * kSetsPerPool)};
+    if (device_.facts().rayQuery) sizes.emplace_back(vk::DescriptorType::eAccelerationStructureKHR, kSetsPerPool);
     descriptorPools_.emplace_back(device_.handle(), vk::DescriptorPoolCreateInfo({}, kSetsPerPool, sizes));
     return allocate();
 }
