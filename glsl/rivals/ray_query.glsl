@@ -16,10 +16,9 @@
 // Cost       one ray query
 //
 // Macro                        required  default  meaning
-// GNO_RAY_QUERY_STRUCTURE      yes       -        accelerationStructureEXT, top level: the casters that are kept (rivals/ray_query_vertex.glsl)
+// GNO_RAY_QUERY_STRUCTURE      yes       -        accelerationStructureEXT, top level: the casters that are kept (rivals/ray_query_index.glsl)
 // GNO_LIGHT                    yes       -        vec4, homogeneous: xyz position and w = 1, or direction towards the light and w = 0
-// GNO_RAY_QUERY_CASTER(query)  no        its primitive index  caster index of the candidate of a rayQueryEXT
-// The macro of counters.glsl   no        0        GNO_COUNTERS
+// GNO_RAY_QUERY_CASTER(query)  no        -        uint, caster index of the candidate of a rayQueryEXT; without it, its primitive index
 #ifndef GNO_RIVALS_RAY_QUERY_GLSL
 #define GNO_RIVALS_RAY_QUERY_GLSL
 #include "../core/counters.glsl"
@@ -29,9 +28,6 @@
 #endif
 #ifndef GNO_LIGHT
 #error "rivals/ray_query.glsl: define GNO_LIGHT before this file"
-#endif
-#ifndef GNO_RAY_QUERY_CASTER
-#define GNO_RAY_QUERY_CASTER(query_) uint(rayQueryGetIntersectionPrimitiveIndexEXT(query_, false))
 #endif
 
 bool gnoRayQueryInShadow(GnoViewSample s_) {
@@ -44,7 +40,12 @@ bool gnoRayQueryInShadow(GnoViewSample s_) {
     GNO_COUNT(rays, 1u);
     while (rayQueryProceedEXT(query_)) {
         GNO_COUNT(candidates, 1u);
-        if (GNO_RAY_QUERY_CASTER(query_) != s_.own) rayQueryConfirmIntersectionEXT(query_);
+#ifdef GNO_RAY_QUERY_CASTER
+        uint caster_ = GNO_RAY_QUERY_CASTER(query_);
+#else
+        uint caster_ = uint(rayQueryGetIntersectionPrimitiveIndexEXT(query_, false));
+#endif
+        if (caster_ != s_.own) rayQueryConfirmIntersectionEXT(query_);
     }
     return rayQueryGetIntersectionTypeEXT(query_, true) != gl_RayQueryCommittedIntersectionNoneEXT;
 }

@@ -45,6 +45,7 @@ public:
              }))
             result.passes.push_back({pass.name, pass.ms});
         result.visibility = visibility.downloadAs<uint32_t>();
+        if (options.dump) result.dump.push_back({"indices", "uint index[3 * casters], all three the same where the caster is left out", scene.indices().download()});
         return result;
     }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kept casters of one frame and light in acceleration structures on the device: vertices, a bottom level, a top level that holds it once.
+// The kept casters of one frame and light in acceleration structures on the device: indices into the casters' buffer, a bottom level, a
+// top level that holds it once.
 #pragma once
 #include <vector>
 
@@ -13,6 +14,7 @@ public:
     /// Builds, `repeat` times for the times. The device has ray queries.
     RayScene(const FrameInputs& inputs, uint32_t repeat, bool warmUp);
 
+    [[nodiscard]] const Buffer& indices() const { return indices_; }
     [[nodiscard]] const AccelerationStructure& top() const { return top_; }
     [[nodiscard]] const std::vector<RecordPass>& passes() const { return passes_; }  ///< caster_setup, ray_setup, bottom_build, top_level_build
     [[nodiscard]] NamedNumbers bytes() const;
@@ -20,7 +22,7 @@ public:
 private:
     void record(Recording& recording, const FrameInputs& inputs) const;
 
-    Buffer vertices_;
+    Buffer indices_;
     AccelerationStructure bottom_, top_;
     std::vector<RecordPass> passes_;
 };

@@ -33,9 +33,9 @@ AccelerationStructure::AccelerationStructure(const Device& device, vk::Accelerat
       scratch_(device, sizes_.buildScratchSize + device.facts().scratchAlignment, Usage::eStorageBuffer | Usage::eShaderDeviceAddress),
       structure_(device.handle(), vk::AccelerationStructureCreateInfoKHR({}, memory_.handle(), 0, sizes_.accelerationStructureSize, type)) {}
 
-AccelerationStructure AccelerationStructure::ofTriangles(const Device& device, const Buffer& vertices, uint32_t triangles) {
+AccelerationStructure AccelerationStructure::ofTriangles(const Device& device, const Buffer& vertices, const Buffer& indices, uint32_t triangles) {
     const vk::AccelerationStructureGeometryTrianglesDataKHR data(vk::Format::eR32G32B32Sfloat, vertices.address(), 12, triangles == 0 ? 0 : 3 * triangles - 1,
-                                                                 vk::IndexType::eNoneKHR);
+                                                                 vk::IndexType::eUint32, indices.address());
     return {device, vk::AccelerationStructureTypeKHR::eBottomLevel, {vk::GeometryTypeKHR::eTriangles, data}, triangles, std::nullopt};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One acceleration structure (VK_KHR_acceleration_structure), bottom or top level: its memory, and the command that builds it. The caller puts
-// the barriers: vertices or the bottom level before a build, the build before a query.
+// the barriers: indices or the bottom level before a build, the build before a query.
 #pragma once
 #include <optional>
 
@@ -12,9 +12,9 @@ class Recording;
 
 class AccelerationStructure {
 public:
-    /// Bottom level: `triangles` triangles whose vertices lie packed in `vertices`, 9 floats each. A triangle with a NaN is inactive: no ray meets it.
-    /// `vertices` has kInputUsage. Throws WorkError when there is no memory left.
-    static AccelerationStructure ofTriangles(const Device& device, const Buffer& vertices, uint32_t triangles);
+    /// Bottom level: `triangles` triangles, three 32-bit indices each into `vertices`, which holds 3 * triangles of them, packed floats. No ray meets a triangle whose
+    /// indices are the same. Both buffers have kInputUsage and outlive this. Throws WorkError when there is no memory left.
+    static AccelerationStructure ofTriangles(const Device& device, const Buffer& vertices, const Buffer& indices, uint32_t triangles);
     /// Top level: `bottom` once, untransformed.
     static AccelerationStructure ofInstance(const Device& device, const AccelerationStructure& bottom);
 

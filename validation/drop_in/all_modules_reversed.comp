@@ -27,6 +27,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/top/plane.glsl"
 #include "gnomon/top/node.h"
 #include "gnomon/top/build.glsl"
+#include "gnomon/rivals/ray_query_index.glsl"
 #include "gnomon/core/transmittance_sum.glsl"
 #include "gnomon/core/transmittance.glsl"
 #include "gnomon/core/shared_types.h"

@@ -58,6 +58,8 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/clusters/traverse.glsl"
 #include "gnomon/clusters/volume.glsl"
 #include "gnomon/clusters/volume.glsl"
+#include "gnomon/rivals/ray_query_index.glsl"
+#include "gnomon/rivals/ray_query_index.glsl"
 #include "gnomon/top/bindings.glsl"
 #include "gnomon/top/bindings.glsl"
 #include "gnomon/top/build.glsl"

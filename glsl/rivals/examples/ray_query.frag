@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_ray_query : require
 // SPDX-License-Identifier: MIT
+#extension GL_EXT_ray_query : require
 #include "../../core/sample.glsl"
 #include "../../core/examples/frame.glsl"
 #include "../ray_query_bindings.glsl"

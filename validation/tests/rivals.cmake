@@ -1,0 +1,1 @@
+gnomon_add_device_test(ray_query_test LIBRARIES gnomon_camera_view)
