@@ -14,7 +14,7 @@
 namespace gno::host::oracle {
 namespace {
 
-constexpr size_t kPacket = 8;
+constexpr size_t kPacket = 8;  // 1.4 times as fast as single rays on show_garden's pixels; RTC_INTERSECT_CONTEXT_FLAG_COHERENT makes it slower there
 
 void check(RTCDevice device) {
     if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE) {

@@ -2,6 +2,7 @@
 // `--set KEY=VALUE` and the command line: defaults, and one line for every wrong word.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "host_min/app/options.hpp"
@@ -227,7 +228,12 @@ TEST(TechniqueChoice, Lists) {
     EXPECT_EQ(chosenNames({"--technique", "psv,psv"}), std::vector<std::string>{"psv"});
     EXPECT_TRUE(chosenNames({}).empty());
     EXPECT_TRUE(chosenNames({"--technique", "auto"}).empty());
-    EXPECT_EQ(chosenNames({"--technique", "all"}).size(), techniques().size());
+    EXPECT_EQ(chosenNames({"--technique", "all", "--precision", "published"}).size(), techniques().size());
+    const auto certified = std::count_if(techniques().begin(), techniques().end(), [](const auto& technique) {
+        const auto& rungs = technique->info().precisions;
+        return std::find(rungs.begin(), rungs.end(), Precision::certified) != rungs.end();
+    });
+    EXPECT_EQ(chosenNames({"--technique", "all"}).size(), size_t(certified));
     for (const char* none : {"", ",", ",,"}) EXPECT_TRUE(says(choiceComplaint({"--technique", none}), "--technique")) << none;
 }
 
