@@ -8,6 +8,9 @@
 
 #include "host_min/error.hpp"
 #include "host_min/interrupt.hpp"
+#include "validation/study/merge.hpp"
+#include "validation/study/plan.hpp"
+#include "validation/study/presets.hpp"
 #include "validation/study/sweep.hpp"
 
 namespace {
@@ -18,6 +21,10 @@ int run(int argc, char** argv) {
     program.require_subcommand(1);
     Action chosen;
     addSweep(program, chosen);
+    addShort(program, chosen);
+    addFull(program, chosen);
+    addPlan(program, chosen, argv[0]);
+    addMerge(program, chosen);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
