@@ -35,6 +35,7 @@ struct Value {
 struct Point {
     Value x, y;
     std::string label;  ///< written beside the point where there is room; empty: none
+    float lift = 0;     ///< drawn so many pixels of the page higher, to keep equal values apart
 };
 
 struct Series {

@@ -43,7 +43,7 @@ std::vector<NamedFigure> distanceFigures(const Study& study, const Looks& looks)
         for (const Variant& variant : setup.variants) {
             if (!variant.isChecked() || variant.wrong == 0 || !variant.varied.empty()) continue;
             viz::Series series{looks.of(variant.technique, variant.precision, variant.peer), cumulative(variant),
-                               fmt::format("{} {}: {}", variant.technique, variant.precision, variant.wrong)};
+                               fmt::format("{}: {}", variant.fullName(), variant.wrong)};
             if (!series.points.empty()) panel.series.push_back(std::move(series));
         }
         if (panel.series.empty()) continue;

@@ -16,8 +16,19 @@ struct Dot {
     const Variant* variant;
     Spread time;
     double error;
-    std::string note;  ///< behind the label
+    std::string note = {};  ///< behind the label
+    float lift = 0;         ///< lane in the row of the exact ones
 };
+
+/// Equal errors of zero side by side: lanes, in the order of time.
+void spreadLanes(std::vector<Dot>& dots) {
+    std::vector<Dot*> exact;
+    for (Dot& dot : dots)
+        if (dot.error == 0) exact.push_back(&dot);
+    std::sort(exact.begin(), exact.end(), [](const Dot* a, const Dot* b) { return a->time.median < b->time.median; });
+    const size_t lanes = std::min<size_t>(exact.size(), 7);
+    for (size_t i = 0; i < exact.size(); ++i) exact[i]->lift = float(std::min(13.0, 70.0 / double(lanes)) * (double(lanes - 1) / 2 - double(i % lanes)));
+}
 
 /// The settings other than `name`, as text: dots of one technique and precision that agree in it lie on one curve.
 std::string without(const nlohmann::ordered_json& varied, const std::string& name) {
@@ -44,7 +55,7 @@ std::vector<viz::Series> seriesOf(const std::vector<Dot>& dots, const Looks& loo
                     candidates[curve][settings.at(name).get<double>()] = &other;
             }
         }
-    const auto point = [](const Dot& dot) { return viz::Point{{dot.time.median, dot.time.low, dot.time.high}, dot.error, {}}; };
+    const auto point = [](const Dot& dot) { return viz::Point{{dot.time.median, dot.time.low, dot.time.high}, dot.error, {}, dot.lift}; };
     for (const auto& [name, byValue] : candidates) {
         if (byValue.size() < 2) continue;
         const Variant& first = *byValue.begin()->second->variant;
@@ -60,7 +71,7 @@ std::vector<viz::Series> seriesOf(const std::vector<Dot>& dots, const Looks& loo
     return curves;
 }
 
-/// The front of what runs on the device, as steps; its corners and the peers carry labels.
+/// The front of what runs on the device, as steps; its corners, what is exact and the peers carry labels.
 void addFront(viz::Panel& panel, const std::vector<Dot>& dots) {
     std::vector<Cost> costs;
     std::vector<const Dot*> own;
@@ -72,12 +83,16 @@ void addFront(viz::Panel& panel, const std::vector<Dot>& dots) {
     }
     viz::Series front{{{190, 190, 190}, viz::Marker::none, viz::Line::solid, 5, false}, {}, "Pareto front"};
     front.steps = true;
+    std::set<const Dot*> isLabelled;
     for (const size_t i : paretoFront(costs)) {
-        front.points.push_back({costs[i].time, costs[i].error, {}});
-        labels.points.push_back({costs[i].time, costs[i].error, own[i]->variant->label() + own[i]->note});
+        front.points.push_back({costs[i].time, costs[i].error, {}, own[i]->lift});
+        isLabelled.insert(own[i]);
     }
     for (const Dot& dot : dots)
-        if (dot.variant->peer) labels.points.push_back({dot.time.median, dot.error, fmt::format("{} {}{}", dot.variant->technique, dot.variant->precision, dot.note)});
+        if (dot.variant->peer || dot.error == 0 || isLabelled.contains(&dot)) {
+            const std::string text = dot.error == 0 && !dot.variant->peer ? dot.variant->label() : fmt::format("{} ({})", dot.variant->label(), dot.variant->precision);
+            labels.points.push_back({dot.time.median, dot.error, text + dot.note, dot.lift});
+        }
     panel.series.insert(panel.series.begin(), std::move(front));
     panel.series.push_back(std::move(labels));
 }
@@ -116,8 +131,9 @@ std::vector<NamedFigure> errorTimeFigures(const Study& study, const Looks& looks
     for (const Setup& setup : study.setups) {
         std::vector<Dot> dots;
         for (const Variant& variant : setup.variants)
-            if (variant.isChecked()) dots.push_back({&variant, variant.time, variant.wrongPerMillion(), {}});
+            if (variant.isChecked()) dots.push_back({&variant, variant.time, variant.wrongPerMillion()});
         if (dots.empty()) continue;
+        spreadLanes(dots);
         viz::Figure figure = errorTime(study, looks, dots, "wrong samples per million");
         figure.title = fmt::format("Error against time: {}", setup.title);
         figure.subtitle = provenance(study, fmt::format("{}x{}", setup.size[0], setup.size[1]));
@@ -130,18 +146,20 @@ std::vector<NamedFigure> errorTimeFigures(const Study& study, const Looks& looks
 }
 
 NamedFigure overviewFigure(const Study& study, const Looks& looks) {
+    // A mean over other scenes is no comparison: only setups with most of the variants take part (a family measured for its growth has few).
+    const auto checkedIn = [](const Setup& setup) { return size_t(std::count_if(setup.variants.begin(), setup.variants.end(), [](const Variant& v) { return v.isChecked(); })); };
+    size_t most = 0, setups = 0;
+    for (const Setup& setup : study.setups) most = std::max(most, checkedIn(setup));
     std::map<std::string, std::vector<const Variant*>> byKey;
-    size_t checkedSetups = 0;
     for (const Setup& setup : study.setups) {
-        checkedSetups += std::any_of(setup.variants.begin(), setup.variants.end(), [](const Variant& variant) { return variant.isChecked(); });
+        if (2 * checkedIn(setup) <= most) continue;
+        ++setups;
         for (const Variant& variant : setup.variants)
             if (variant.isChecked()) byKey[variant.key()].push_back(&variant);
     }
-    size_t most = 0;
-    for (const auto& [key, variants] : byKey) most = std::max(most, variants.size());
     std::vector<Dot> dots;
     for (const auto& [key, variants] : byKey) {
-        if (2 * variants.size() < most) continue;  // a setting tried on few scenes says nothing about all
+        if (2 * variants.size() < setups) continue;  // a setting tried on few scenes says nothing about all
         std::vector<double> times;
         double worst = 0;
         for (const Variant* variant : variants) {
@@ -150,11 +168,12 @@ NamedFigure overviewFigure(const Study& study, const Looks& looks) {
         }
         const auto [least, greatest] = std::minmax_element(times.begin(), times.end());
         dots.push_back({variants.front(), {geometricMean(times), *least, *greatest}, worst,
-                        variants.size() < most ? fmt::format(" ({} of {})", variants.size(), most) : ""});
+                        variants.size() < setups ? fmt::format(" ({} of {} scenes)", variants.size(), setups) : ""});
     }
+    spreadLanes(dots);
     viz::Figure figure = errorTime(study, looks, dots, "wrong samples per million, worst scene and light");
     figure.panels[0].x.title = "time as a ratio to a bare full-screen pass (geometric mean; whiskers: lightest and heaviest scene)";
-    figure.title = fmt::format("What accuracy costs: {} scenes and lights, error against time", checkedSetups);
+    figure.title = fmt::format("What accuracy costs: {} scene{}, error against time", setups, setups == 1 ? "" : "s and lights");
     figure.subtitle = provenance(study, study.sizes());
     return {"overview", "overview", "Every technique and setting that was measured on at least half of the scenes and lights. Left is faster, lower is more right; the lowest row is exact.",
             std::move(figure)};

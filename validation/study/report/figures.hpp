@@ -27,6 +27,7 @@ public:
 
 private:
     std::map<std::string, viz::Color> colors_;
+    std::vector<std::string> others_;  ///< precisions that are no rungs
 };
 
 /// Second line under a title: device, size, and the command that draws it.

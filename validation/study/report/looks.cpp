@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "validation/study/report/figures.hpp"
 #include "viz/charts/palette.hpp"
 
@@ -9,7 +11,11 @@ namespace gno::report {
 using viz::Line;
 using viz::Marker;
 
-Looks::Looks(const Study& study) : colors_(viz::colorsOf(study.techniques)) {}
+Looks::Looks(const Study& study) : colors_(viz::colorsOf(study.techniques)) {
+    for (const std::string& precision : study.precisions)
+        if (rank(precision) == 0) others_.push_back(precision);
+    std::sort(others_.begin(), others_.end());
+}
 
 viz::Look Looks::of(const std::string& technique, const std::string& precision, bool peer) const {
     viz::Look look{colors_.at(technique), Marker::diamond, Line::dashDotted, 2, peer};
@@ -23,8 +29,10 @@ viz::Look Looks::of(const std::string& technique, const std::string& precision, 
         case 1:
             look.marker = Marker::cross, look.line = Line::dotted;
             break;
-        default:  // a peer's own word
-            if (precision.size() % 2 == 0) look.marker = Marker::square;
+        default: {  // a peer's own word
+            constexpr std::array kMarkers{Marker::diamond, Marker::square, Marker::plus, Marker::circle};
+            look.marker = kMarkers[size_t(std::find(others_.begin(), others_.end(), precision) - others_.begin()) % kMarkers.size()];
+        }
     }
     return look;
 }
