@@ -11,6 +11,7 @@ namespace gno::report {
 namespace {
 
 Cell number(double value, const std::string& format) { return {fmt::format(fmt::runtime(format), value), value}; }
+Cell wrongCell(double perMillionSamples) { return number(perMillionSamples, perMillionSamples < 10000 ? "{:.4g}" : "{:.0f}"); }
 Cell whole(uint64_t value) { return {fmt::format("{}", value), double(value)}; }
 Cell spread(const Spread& value) { return {times(value), value.median}; }
 
@@ -36,7 +37,7 @@ Table priceTable(const Study& study) {
             } else {
                 std::vector<std::string> others;
                 for (const Variant* other : price.asGood) others.push_back(other->fullName());
-                row.insert(row.end(), {{price.cheapest->fullName(), {}}, spread(price.cheapest->time), number(price.cheapest->wrongPerMillion(), "{:.4g}"),
+                row.insert(row.end(), {{price.cheapest->fullName(), {}}, spread(price.cheapest->time), wrongCell(price.cheapest->wrongPerMillion()),
                                        number(double(price.cheapest->bytes) / 1048576, "{:.2f}"), {fmt::format("{}", fmt::join(others, "; ")), {}}});
             }
             table.rows.push_back(std::move(row));
@@ -57,7 +58,7 @@ Table ladderTable(const Study& study) {
                 row.insert(row.end(), {{"unavailable: " + variant.unavailable, {}}, {}, {}, {}, {}, {}});
             else
                 row.insert(row.end(), {spread(variant.time), fastest != nullptr ? spread(timeRatio(variant, *fastest)) : Cell{},
-                                       variant.isChecked() ? number(variant.wrongPerMillion(), "{:.4g}") : Cell{"not checked", {}}, whole(variant.leaks), whole(variant.wrong - variant.leaks),
+                                       variant.isChecked() ? wrongCell(variant.wrongPerMillion()) : Cell{"not checked", {}}, whole(variant.leaks), whole(variant.wrong - variant.leaks),
                                        number(double(variant.bytes) / 1048576, "{:.2f}")});
             table.rows.push_back(std::move(row));
         }
@@ -75,7 +76,7 @@ Table rowTable(const Study& study) {
         } else {
             const bool isChecked = row.check && row.check->checked > 0;
             cells.insert(cells.end(), {number(median(row.totalMs), "{:.3f}"), spread(spreadOf(ratios(row.totalMs, row.floorMs))),
-                                       isChecked ? number(1e6 * double(row.check->wrong) / double(row.check->checked), "{:.4g}") : Cell{"not checked", {}},
+                                       isChecked ? wrongCell(1e6 * double(row.check->wrong) / double(row.check->checked)) : Cell{"not checked", {}},
                                        isChecked ? whole(row.check->leaks) : Cell{}, isChecked ? whole(row.check->falseDark) : Cell{},
                                        number(row.samples > 0 ? double(row.counter("visited_nodes")) / double(row.samples) : 0, "{:.1f}"), whole(row.counter("test_and_set")),
                                        number(double(row.totalBytes()) / 1048576, "{:.2f}")});
