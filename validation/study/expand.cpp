@@ -173,6 +173,8 @@ std::vector<GroupJobs> expand(const SweepOptions& options, SceneShelf& shelf) {
         if (!generatedScene(scenes.back()))
             throw host::InputError(fmt::format("--vary-scene {}: gnomon-scenes makes none of that name in several sizes", entry));
     }
+    for (std::string& scene : scenes)  // one spelling for one scene
+        if (const auto made = generatedScene(scene)) scene = fmt::format("{}:{}", made->kind, made->triangles);
     if (scenes.empty()) throw host::InputError("which scenes? name .glb files, or scenes of gnomon-scenes as NAME:TRIANGLES");
     const std::vector<uint32_t> frames = framesOf(options.frame);
     const std::optional<uint32_t> light = lightOf(options.light);

@@ -8,6 +8,9 @@
 
 #include "host_min/error.hpp"
 #include "host_min/interrupt.hpp"
+#include "validation/study/merge.hpp"
+#include "validation/study/plan.hpp"
+#include "validation/study/presets.hpp"
 #include "validation/study/report/command.hpp"
 #include "validation/study/sweep.hpp"
 
@@ -20,6 +23,10 @@ int run(int argc, char** argv) {
     Action chosen;
     addSweep(program, chosen);
     addReport(program, chosen);
+    addShort(program, chosen);
+    addFull(program, chosen);
+    addPlan(program, chosen, argv[0]);
+    addMerge(program, chosen);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -6,16 +6,10 @@
 #include "host_min/output/atomic_file.hpp"
 #include "host_min/output/png.hpp"
 #include "host_min/output/shade_picture.hpp"
+#include "validation/study/sweep_options.hpp"
 
 namespace gno::study {
 namespace {
-
-/// FNV-1a: the same everywhere, so that two machines never give two jobs' pictures one name.
-uint64_t hashOf(const std::string& text) {
-    uint64_t hash = 14695981039346656037ull;
-    for (const char c : text) hash = (hash ^ uint8_t(c)) * 1099511628211ull;
-    return hash;
-}
 
 /// The sums of all pixels, from those of the samples.
 std::vector<glm::uvec3> sumsOfPixels(const Subject& subject) {
@@ -59,13 +53,13 @@ Row GroupPictures::write(const Row& row, const host::TechniqueResult& result) {
     const std::string stem = fmt::format("pictures/{}-f{:03}-l{}-{}x{}", row["name"].get<std::string>(), row["frame"].get<uint32_t>(),
                                          row["light"].get<uint32_t>(), inputs.width(), inputs.height());
     const std::string own =
-        fmt::format("{}-{}.{}-{:016x}", stem, row["technique"].get<std::string>(), row["precision"].get<std::string>(), hashOf(row["job"]));
+        fmt::format("{}-{}.{}-{}", stem, row["technique"].get<std::string>(), row["precision"].get<std::string>(), stableHash(row["job"]));
     const auto write = [&](const char* key, const std::string& file, const host::Picture& picture) {
         host::writePng(folder_ / file, picture);
         names[key] = file;
     };
     write("shaded", own + "-shaded.png", frame_->shaded(got, withSums ? &passing : nullptr));
-    const std::string truth = fmt::format("{}-{:016x}-truth{}.png", stem, hashOf(row["group"]), withSums ? "-sums" : "");
+    const std::string truth = fmt::format("{}-{}-truth{}.png", stem, stableHash(row["group"]), withSums ? "-sums" : "");
     write("truth", truth, frame_->shaded(want, withSums ? &passingTruth : nullptr));
     write("wrong", own + "-wrong.png", host::differencePicture(got, want));
     return names;

@@ -12,6 +12,7 @@
 
 #include "host_min/error.hpp"
 #include "host_min/interrupt.hpp"
+#include "host_min/output/atomic_file.hpp"
 #include "host_min/output/table.hpp"
 #include "validation/study/expand.hpp"
 #include "validation/study/measure_group.hpp"
@@ -61,6 +62,7 @@ private:
 std::filesystem::path sceneFolder(const std::filesystem::path& results) { return results.parent_path() / "scenes"; }
 
 void runSweep(const std::vector<GroupJobs>& groups, SceneShelf& shelf, const std::filesystem::path& path) {
+    if (path.has_parent_path()) host::makeFolder(path.parent_path());
     ResultsFile results(path);
     for (const std::string& note : results.notes()) fmt::print(stderr, "gnomon-study: {}\n", note);
     std::vector<GroupJobs> left;

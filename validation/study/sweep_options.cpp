@@ -23,7 +23,8 @@ uint32_t number(const std::string& option, const std::string& text, const std::s
     return value;
 }
 
-/// In single quotes where the shell would read more than a word into it.
+}  // namespace
+
 std::string quoted(const std::string& word) {
     constexpr std::string_view harmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/%@";
     if (!word.empty() && word.find_first_not_of(harmless) == std::string::npos) return word;
@@ -32,7 +33,11 @@ std::string quoted(const std::string& word) {
     return result + "'";
 }
 
-}  // namespace
+std::string stableHash(const std::string& text) {
+    uint64_t hash = 14695981039346656037ull;
+    for (const char c : text) hash = (hash ^ uint8_t(c)) * 1099511628211ull;
+    return fmt::format("{:016x}", hash);
+}
 
 std::vector<std::string> splitAt(const std::string& text, char separator) {
     std::vector<std::string> parts;

@@ -41,6 +41,12 @@ std::pair<uint32_t, uint32_t> sizeOf(const std::string& text);
 /// nullopt: all. Throws InputError.
 std::optional<uint32_t> lightOf(const std::string& text);
 
+/// A word for the shell: in single quotes where the shell would read more than a word into it.
+std::string quoted(const std::string& word);
+
+/// 16 hexadecimal digits, the same on every machine (FNV-1a, 64 bits).
+std::string stableHash(const std::string& text);
+
 /// Parts between `separator`, empty ones left out.
 std::vector<std::string> splitAt(const std::string& text, char separator);
 

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 // What the report computes: statistics with known answers, fronts against the definition, rows of a results file, scales and colours of charts.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <random>
 #include <set>
-
-#include <fmt/format.h>
 
 #include "validation/study/report/page.hpp"
 #include "validation/study/report/prices.hpp"
@@ -70,7 +72,7 @@ TEST(Front, IsWhatItsDefinitionSays) {
     std::mt19937 random(kSeed);
     for (int round = 0; round < 500; ++round) {
         std::vector<Cost> costs;
-        for (uint32_t i = random() % 12; i > 0; --i) costs.push_back({double(random() % 6), double(random() % 6)});
+        for (auto i = random() % 12; i > 0; --i) costs.push_back({double(random() % 6), double(random() % 6)});
         const auto beats = [](const Cost& a, const Cost& b) { return a.time <= b.time && a.error <= b.error && (a.time < b.time || a.error < b.error); };
         std::set<std::pair<double, double>> want, got;
         for (const Cost& cost : costs)
