@@ -11,6 +11,7 @@
 #include "validation/study/merge.hpp"
 #include "validation/study/plan.hpp"
 #include "validation/study/presets.hpp"
+#include "validation/study/report/command.hpp"
 #include "validation/study/sweep.hpp"
 
 namespace {
@@ -21,6 +22,7 @@ int run(int argc, char** argv) {
     program.require_subcommand(1);
     Action chosen;
     addSweep(program, chosen);
+    addReport(program, chosen);
     addShort(program, chosen);
     addFull(program, chosen);
     addPlan(program, chosen, argv[0]);
