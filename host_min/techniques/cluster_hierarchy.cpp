@@ -295,20 +295,25 @@ NamedNumbers ClusterHierarchy::bytes() const {
 }
 
 std::vector<DumpedBuffer> ClusterHierarchy::dump() const {
-    std::vector<DumpedBuffer> result{{"frame", "GnoClusterFrame, GnoClusterLayout", frame_.download()},
-                                     {"header", "GnoClusterHeader", header_.download()},
+    const uint32_t boxWords = layout_.form == GNO_CLUSTER_FLAT ? 1 : 3;
+    std::vector<DumpedBuffer> result{{"frame", "GnoClusterFrame, GnoClusterLayout", frame_.download(), uint32_t(frame_.bytes() / 4)},
+                                     {"header", "GnoClusterHeader", header_.download(), sizeof(GnoClusterHeader) / 4},
                                      {"slices", "float start[slices + 1]", slices_.download()},
-                                     {"masks", "uint word[words]", masks_.download()},
-                                     {"volumes", "vec4 plane[7 * casters]", volumes_.download()}};
+                                     {"masks", "uint word[words]: as the traversal left them, without the nodes that were accepted", masks_.download()},
+                                     {"volumes", "vec4 plane[7 * casters]", volumes_.download(), 28}};
     if (layout_.form != GNO_CLUSTER_IMPLICIT) {
         for (const auto& [name, buffer] : {std::pair("low", &low_), std::pair("high", &high_)}) {
             std::vector<std::byte> bytes = buffer->download();
             if (layout_.form == GNO_CLUSTER_COMPACT)  // what the list holds
                 bytes.resize(12 * size_t(std::min(options_.boxCapacity, header_.downloadAs<GnoClusterHeader>().front().boxCount)));
-            result.push_back({name, layout_.form == GNO_CLUSTER_FLAT ? "float depth[nodes]" : "float xyz[3 * boxes]", std::move(bytes)});
+            result.push_back({name, layout_.form == GNO_CLUSTER_FLAT ? "float depth[nodes]" : "float xyz[3 * boxes]", std::move(bytes), boxWords});
         }
     }
-    if (layout_.form == GNO_CLUSTER_COMPACT) result.push_back({"pointers", "uvec2 firstBoxAndMask[words]", pointers_.download()});
+    if (layout_.form == GNO_CLUSTER_COMPACT) result.push_back({"pointers", "uvec2 firstBoxAndMask[words]", pointers_.download(), 2});
+    Recording recording(inputs_.device());
+    recordBuild(recording);  // gives the accepted nodes back
+    recording.submit();
+    result.push_back({"masks_built", "uint word[words]: as built, a bit for each occupied child", masks_.download()});
     return result;
 }
 
