@@ -22,6 +22,6 @@ struct Kind {
 vtkSmartPointer<vtkLookupTable> kindColours(const std::vector<Kind>& kinds);
 
 inline constexpr glm::dvec3 kOrange{0.902, 0.624, 0.0}, kSky{0.337, 0.706, 0.914}, kGreen{0.0, 0.620, 0.451}, kYellow{0.941, 0.894, 0.259}, kBlue{0.0, 0.447, 0.698},
-    kVermilion{0.835, 0.369, 0.0}, kPurple{0.8, 0.475, 0.655}, kInk{0.12, 0.12, 0.14}, kPaper{1.0, 1.0, 1.0}, kFaint{0.72, 0.73, 0.75};
+    kVermilion{0.835, 0.369, 0.0}, kPurple{0.8, 0.475, 0.655}, kDark{0.12, 0.12, 0.14}, kWhite{1.0, 1.0, 1.0}, kPale{0.72, 0.73, 0.75};
 
 }  // namespace gno::viz

@@ -36,11 +36,11 @@ vtkSmartPointer<vtkSliderRepresentation2D> representationOf(const Slider& slider
     representation->GetPoint2Coordinate()->SetCoordinateSystemToNormalizedDisplay();
     representation->GetPoint2Coordinate()->SetValue(0.97, 0.05);
     for (vtkTextProperty* property : {representation->GetTitleProperty(), representation->GetLabelProperty()}) {
-        property->SetColor(kInk.r, kInk.g, kInk.b);
+        property->SetColor(kDark.r, kDark.g, kDark.b);
         property->ShadowOff();
         property->BoldOff();
     }
-    representation->GetTubeProperty()->SetColor(kFaint.r, kFaint.g, kFaint.b);
+    representation->GetTubeProperty()->SetColor(kPale.r, kPale.g, kPale.b);
     representation->GetSliderProperty()->SetColor(kBlue.r, kBlue.g, kBlue.b);
     return representation;
 }

@@ -30,13 +30,13 @@ vtkSmartPointer<vtkTextActor> text(const std::string& words, int size, double x,
     actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
     actor->SetPosition(x, y);
     actor->GetTextProperty()->SetFontSize(size);
-    actor->GetTextProperty()->SetColor(kInk.r, kInk.g, kInk.b);
+    actor->GetTextProperty()->SetColor(kDark.r, kDark.g, kDark.b);
     actor->GetTextProperty()->SetVerticalJustificationToCentered();
     return actor;
 }
 
 void plain(vtkTextProperty& property, int size) {
-    property.SetColor(kInk.r, kInk.g, kInk.b);
+    property.SetColor(kDark.r, kDark.g, kDark.b);
     property.ItalicOff();
     property.ShadowOff();
     property.BoldOff();
@@ -53,7 +53,7 @@ Picture::Picture(const PictureSize& size, const std::string& title, bool onScree
     window_->SetAlphaBitPlanes(1);
     window_->SetMultiSamples(0);
     frame_ = vtkSmartPointer<vtkRenderer>::New();
-    frame_->SetBackground(kPaper.r, kPaper.g, kPaper.b);
+    frame_->SetBackground(kWhite.r, kWhite.g, kWhite.b);
     frame_->InteractiveOff();
     frame_->AddViewProp(text(title, size.height / 42, 0.012, 1 - kTitleHeight / 2));
     window_->AddRenderer(frame_);
@@ -63,7 +63,7 @@ Picture::Picture(const PictureSize& size, const std::string& title, bool onScree
             const auto panel = vtkSmartPointer<vtkRenderer>::New();
             const double top = 1 - kTitleHeight - row * height;
             panel->SetViewport(double(column) / size.columns, top - height, double(column + 1) / size.columns, top);
-            panel->SetBackground(kPaper.r, kPaper.g, kPaper.b);
+            panel->SetBackground(kWhite.r, kWhite.g, kWhite.b);
             panel->SetUseDepthPeeling(1);
             panel->SetMaximumNumberOfPeels(12);
             panel->SetOcclusionRatio(0.02);
@@ -168,7 +168,7 @@ void Picture::writePng(const std::filesystem::path& path) {
     host::writePng(path, picture);
 }
 
-vtkSmartPointer<vtkActor> addMesh(vtkRenderer& panel, vtkPolyData& mesh, const Look& look, const std::string& byArray, vtkLookupTable* colours) {
+vtkSmartPointer<vtkActor> addMesh(vtkRenderer& panel, vtkPolyData& mesh, const MeshLook& look, const std::string& byArray, vtkLookupTable* colours) {
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(&mesh);
     mapper->SetScalarVisibility(!byArray.empty());
@@ -194,7 +194,7 @@ vtkSmartPointer<vtkActor> addMesh(vtkRenderer& panel, vtkPolyData& mesh, const L
     property.SetPointSize(float(look.pointSize));
     if (look.edges > 0) {
         property.EdgeVisibilityOn();
-        property.SetEdgeColor(kInk.r, kInk.g, kInk.b);
+        property.SetEdgeColor(kDark.r, kDark.g, kDark.b);
     }
     panel.AddActor(actor);
     return actor;
@@ -212,7 +212,7 @@ void addBall(vtkRenderer& panel, glm::dvec3 at, double radius, glm::dvec3 colour
 
 void addScene(vtkRenderer& panel, const Dump& dump, std::span<const Corners> corners, double opacity) {
     constexpr size_t kMost = 200000;
-    addMesh(panel, *meshOf(dump, corners, largestCasters(corners, kMost)), {.colour = kFaint, .opacity = opacity});
+    addMesh(panel, *meshOf(dump, corners, largestCasters(corners, kMost)), {.colour = kPale, .opacity = opacity});
     const double size = glm::length(dump.high() - dump.low()) * dump.metres();
     addBall(panel, lightMarkOf(dump), 0.012 * size, kYellow);
 }

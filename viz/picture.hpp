@@ -61,8 +61,8 @@ private:
     int notes_ = 0;
 };
 
-struct Look {
-    glm::dvec3 colour = kFaint;
+struct MeshLook {
+    glm::dvec3 colour = kPale;
     double opacity = 1;
     double edges = 0;         ///< line width of the cells' outlines; 0: none
     bool lit = true;
@@ -70,7 +70,7 @@ struct Look {
 };
 
 /// Coloured by a cell array (points without cells of their own: a point array) of this name through a table, or by the look's colour when `byArray` is empty.
-vtkSmartPointer<vtkActor> addMesh(vtkRenderer& panel, vtkPolyData& mesh, const Look& look, const std::string& byArray = {}, vtkLookupTable* colours = nullptr);
+vtkSmartPointer<vtkActor> addMesh(vtkRenderer& panel, vtkPolyData& mesh, const MeshLook& look, const std::string& byArray = {}, vtkLookupTable* colours = nullptr);
 
 /// The scene faint behind what matters, and its light as a yellow ball.
 void addScene(vtkRenderer& panel, const Dump& dump, std::span<const Corners> corners, double opacity);

@@ -22,7 +22,7 @@
 namespace gno::viz {
 namespace {
 
-const std::vector<Kind> kLinkKinds{{"root", kInk}, {"positive child", kBlue}, {"positive child of a cap", kSky}, {"intersection child", kOrange}};
+const std::vector<Kind> kLinkKinds{{"root", kDark}, {"positive child", kBlue}, {"positive child of a cap", kSky}, {"intersection child", kOrange}};
 
 /// What colours tell of a volume.
 struct Coloring {
