@@ -5,18 +5,17 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkProperty.h>
-#include <vtkTubeFilter.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
+#include "host_min/error.hpp"
 #include "host_min/output/atomic_file.hpp"
 #include "viz/files.hpp"
 #include "viz/query_path.hpp"
 #include "viz/shadow_volume.hpp"
-#include "viz/tree_statistics.hpp"
+#include "viz/tree_charts.hpp"
+#include "viz/tree_paths.hpp"
 #include "viz/views.hpp"
 
 namespace gno::viz {
@@ -159,10 +158,47 @@ void show(const Options& options, const Dump& dump, const TopTree& tree, std::sp
     picture.show({"deepest level that is drawn", 0, std::max(1, deepest), deepest, upTo}, options.closeAfter);
 }
 
+void writeBytes(const std::filesystem::path& path, const std::string& bytes) {
+    host::AtomicFile file(path);
+    file.stream() << bytes;
+    file.commit();
+}
+
+/// Of one sample: the dumps must hold traces of the same pixel, and one tree, or the panels would not compare.
+std::vector<QueryPath> pathsOf(std::span<const Dump> dumps, const TopTree& tree) {
+    std::vector<QueryPath> paths;
+    for (const Dump& dump : dumps) {
+        const TopTree own = TopTree::read(dump);
+        if (dumps.size() > 1 && (own.root != tree.root || own.planes != tree.planes || dump.tracedPixel() != dumps.front().tracedPixel()))
+            throw host::InputError(fmt::format("{}: not the same tree, or not the same traced pixel, as {}; make the dumps in one run", dump.name(), dumps.front().name()));
+        paths.push_back(QueryPath::read(dump, own));
+    }
+    return paths;
+}
+
+void writePaths(const Options& options, std::span<const Dump> dumps, const TopTree& tree, std::span<const Corners> corners) {
+    const std::vector<QueryPath> paths = pathsOf(dumps, tree);
+    for (size_t i = 0; i < paths.size(); ++i) writeFile(options.out / (dumps[i].name() + "-tree-path.vtp"), *pathMesh(dumps[i], paths[i], corners));
+    const Dump& dump = dumps.front();
+    const std::string title = fmt::format("queries of pixel {}, {} ({}): {}", paths[0].pixel.x, paths[0].pixel.y, paths[0].inShadow ? "in shadow" : "lit", dump.title());
+    PictureSize size = options.size;
+    size.columns = paths.size() > 1 ? 2 : 1;
+    size.rows = int(paths.size() + 1) / size.columns - (paths.size() == 1 ? 1 : 0);
+    Picture picture(size, title);
+    drawPaths(picture, dump, paths, corners);
+    picture.note("tubes: from node to node in the order of the visits; a lateral plane stands at the middle of its edge, a cap at the middle of its caster");
+    picture.note("orange: from the stack; vermilion: back by an ancestor link; vermilion ball: the sample; yellow ball: the light");
+    picture.lookAt(dump, options.view);
+    picture.writePng(options.out / (dump.name() + "-tree-path.png"));
+    writeBytes(options.out / (dump.name() + "-tree-steps.png"), drawPng(stepsFigure(title, paths)));
+}
+
 }  // namespace
 
 void viewTree(const Options& options) {
-    const Dump dump = Dump::load(options.dumps.front());
+    std::vector<Dump> dumps;
+    for (const auto& path : options.dumps) dumps.push_back(Dump::load(path));
+    const Dump& dump = dumps.front();
     const TopTree tree = TopTree::read(dump);
     const std::vector<Corners> corners = cornersOf(dump);
     const size_t drawn = std::min<size_t>(options.limit, tree.volumes.size());
@@ -173,11 +209,9 @@ void viewTree(const Options& options) {
     const auto mesh = volumeMesh(dump, tree, drawn);
     writeFile(options.out / (dump.name() + "-tree-volumes.vtp"), *mesh);
     writeFile(options.out / (dump.name() + "-tree-nodes.vtp"), *nodeMesh(dump, tree, corners));
-    {
-        host::AtomicFile file(options.out / (dump.name() + "-tree-statistics.json"));
-        file.stream() << statistics.json().dump(1) << '\n';
-        file.commit();
-    }
+    writeBytes(options.out / (dump.name() + "-tree-statistics.json"), statistics.json().dump(1) + '\n');
+    writeBytes(options.out / (dump.name() + "-tree-statistics.png"), drawPng(statisticsFigure(dump, statistics)));
+    if (dumps.size() > 1 || dump.isTraced()) writePaths(options, dumps, tree, corners);
     Picture picture(options.size, "TOP tree: " + dump.title());
     const Coloring coloring = coloringOf(options.color, std::span(tree.volumes).first(drawn));
     addScene(picture.panel(0), dump, corners, 0.25);
