@@ -24,7 +24,7 @@ int run(int argc, const char* const* argv) {
     if (command.options.interactive && !display.isUsers()) throw gno::host::InputError("--interactive: there is no display that shows it");
     switch (command.kind) {
         case Command::Kind::tree: viewTree(command.options); break;
-        case Command::Kind::clusters: break;
+        case Command::Kind::clusters: viewClusters(command.options); break;
         case Command::Kind::samples: break;
         case Command::Kind::none: break;
     }

@@ -72,7 +72,7 @@ Command parseCommandLine(int argc, const char* const* argv) {
     std::vector<Sub> subs{
         {Command::Kind::tree, "tree", "the shadow volumes of a TOP tree, a query's way through it, and its statistics", "400", "shadow volumes",
          {"depth", "kind", "distance", "visits"}},
-        {Command::Kind::clusters, "clusters", "the occupied nodes of a cluster hierarchy by level, and the tests of each pixel", "200000", "boxes", {"level", "accepted"}},
+        {Command::Kind::clusters, "clusters", "the occupied nodes of a cluster hierarchy by level, and the tests of each pixel", "20000", "boxes of a level", {"accepted", "distance"}},
         {Command::Kind::samples, "samples", "wrong samples with the caster and the plane that decided them", "2000", "samples", {"error", "caster"}}};
     for (Sub& sub : subs) {
         sub.texts.limit = sub.limit;

@@ -16,6 +16,9 @@
 #include <vtkTextProperty.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "host_min/output/png.hpp"
 
 namespace gno::viz {
@@ -23,6 +26,7 @@ namespace {
 
 constexpr double kTitleHeight = 0.055, kNoteHeight = 0.07;  // of the window
 constexpr int kNoteLines = 3;
+constexpr double kViewAngle = 34;  // of the overview, degrees
 
 vtkSmartPointer<vtkTextActor> text(const std::string& words, int size, double x, double y) {
     const auto actor = vtkSmartPointer<vtkTextActor>::New();
@@ -33,6 +37,19 @@ vtkSmartPointer<vtkTextActor> text(const std::string& words, int size, double x,
     actor->GetTextProperty()->SetColor(kDark.r, kDark.g, kDark.b);
     actor->GetTextProperty()->SetVerticalJustificationToCentered();
     return actor;
+}
+
+/// How far from `at`, along `back`, all corners of the dump's box are in a picture whose right fifth is the legend's.
+double distanceFor(const Dump& dump, glm::dvec3 back, glm::dvec3 at, double aspect) {
+    const double slope = 0.94 * std::tan(glm::radians(kViewAngle / 2));
+    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), back)), up = glm::cross(back, right);
+    double distance = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 p = dump.world({corner & 1 ? dump.high().x : dump.low().x, corner & 2 ? dump.high().y : dump.low().y, corner & 4 ? dump.high().z : dump.low().z}) - at;
+        const double across = std::max(std::abs(glm::dot(p, right)) / (0.8 * aspect), std::abs(glm::dot(p, up)));
+        distance = std::max(distance, across / slope + glm::dot(p, back));
+    }
+    return distance;
 }
 
 void plain(vtkTextProperty& property, int size) {
@@ -85,8 +102,11 @@ void Picture::legend(int index, vtkLookupTable& colours, const std::string& titl
     bar->SetLookupTable(&colours);
     bar->SetTitle((title + "\n ").c_str());
     bar->SetUnconstrainedFontSize(true);
-    bar->SetNumberOfLabels(6);
-    bar->SetLabelFormat("%-#.3g");
+    const double* range = colours.GetTableRange();
+    const bool whole = range[0] == std::floor(range[0]) && range[1] == std::floor(range[1]) && colours.GetScale() != VTK_SCALE_LOG10;
+    const double span = range[1] - range[0];
+    bar->SetNumberOfLabels(whole && span <= 12 ? int(span) + 1 : 6);
+    bar->SetLabelFormat(whole ? "%.0f" : "%.3g");
     const int size = window_->GetSize()[1] / 58;
     plain(*bar->GetTitleTextProperty(), size);
     plain(*bar->GetLabelTextProperty(), size);
@@ -138,11 +158,16 @@ void Picture::lookAt(const Dump& dump, View view) {
         const glm::dvec3 at = dump.world((dump.low() + dump.high()) / 2.0);
         glm::dvec3 side(own.back.x, 0, own.back.z);
         side = glm::length(side) > 1e-3 ? glm::normalize(side) : glm::dvec3(0, 0, 1);
-        const glm::dvec3 from = at + glm::normalize(side + glm::dvec3(0, 0.62, 0)) * 1.05 * glm::length(dump.high() - dump.low()) * dump.metres();
+        const glm::dvec3 back = glm::normalize(side + glm::dvec3(0, 0.62, 0));
+        const double* viewport = panels_.front()->GetViewport();
+        const int* size = window_->GetSize();
+        const double aspect = (viewport[2] - viewport[0]) * size[0] / ((viewport[3] - viewport[1]) * size[1]);
+        const glm::dvec3 from = at + back * distanceFor(dump, back, at, aspect);
         camera->SetPosition(from.x, from.y, from.z);
         camera->SetFocalPoint(at.x, at.y, at.z);
         camera->SetViewUp(0, 1, 0);
-        camera->SetViewAngle(42);
+        camera->SetViewAngle(kViewAngle);
+        camera->SetWindowCenter(0.1, 0);  // the legend stands at the right
     }
     for (const auto& panel : panels_) panel->ResetCameraClippingRange();
 }
@@ -192,6 +217,7 @@ vtkSmartPointer<vtkActor> addMesh(vtkRenderer& panel, vtkPolyData& mesh, const M
     property.SetInterpolationToFlat();
     property.SetLineWidth(float(look.edges > 0 ? look.edges : look.lineWidth));
     property.SetPointSize(float(look.pointSize));
+    if (look.outlines) property.SetRepresentationToWireframe();
     if (look.edges > 0) {
         property.EdgeVisibilityOn();
         property.SetEdgeColor(kDark.r, kDark.g, kDark.b);

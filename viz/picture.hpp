@@ -65,6 +65,7 @@ struct MeshLook {
     glm::dvec3 colour = kPale;
     double opacity = 1;
     double edges = 0;         ///< line width of the cells' outlines; 0: none
+    bool outlines = false;    ///< of the cells, instead of the cells
     bool lit = true;
     double lineWidth = 1, pointSize = 4;
 };

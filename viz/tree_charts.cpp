@@ -62,9 +62,11 @@ Figure statisticsFigure(const Dump& dump, const TreeStatistics& statistics) {
                              {barsOfDepths(statistics.visitsAtDepth, kVermilion)}});
     const std::vector<double>& edges = statistics.wedges.edges;
     figure.panels.push_back({fmt::format("how wide intersection children reach ({} of them without a bound)", grouped(statistics.wedgesWithoutBound)),
-                             axis(fmt::format("both sides of the plane together [{}]", statistics.wedges.unit), edges.front(), edges.back()),
+                             axis(fmt::format("both sides of the plane together [{}]", statistics.wedges.unit), -0.5, double(edges.size()) - 1.5),
                              axis("intersection children", 0.0),
-                             {barsOf(statistics.wedges.counts, kGreen, edges.front(), edges[1] - edges[0])}});
+                             {barsOfDepths(statistics.wedges.counts, kGreen)}});
+    for (size_t i = edges.size() - 1; i-- > 0;)
+        if ((edges.size() - 2 - i) % 3 == 0) figure.panels.back().x.names.emplace_back(double(i), i == 0 ? "0" : fmt::format("{:.3g}+", edges[i]));
     Panel visits{"how often a node is visited", axis("visits in the frame", -0.5, double(statistics.visitsOfNodes.counts.size()) - 0.5), axis("nodes", 0.0), {barsOfDepths(statistics.visitsOfNodes.counts, kPurple)}};
     const size_t bins = statistics.visitsOfNodes.counts.size(), every = std::max<size_t>(1, bins / 8);
     for (size_t i = 0; i < bins; ++i) {  // edges 0, 1, 2, 4, ...

@@ -65,11 +65,11 @@ std::vector<vtkSmartPointer<vtkActor>> addPath(vtkRenderer& panel, const Dump& d
     if (!casters.empty()) {
         const auto mesh = meshOf(dump, corners, casters);
         mesh->GetCellData()->AddArray(array("order", "visits", std::span<const uint32_t>(order)));
-        actors.push_back(addMesh(panel, *mesh, {.opacity = 0.45}, "order", &colours));
+        actors.push_back(addMesh(panel, *mesh, {.outlines = true, .lit = false, .lineWidth = 1.5}, "order", &colours));
     }
-    actors.push_back(addMesh(panel, *tubesOf(dump, path, corners, steps, false, 0.0016 * size), {}, "order", &colours));
+    actors.push_back(addMesh(panel, *tubesOf(dump, path, corners, steps, false, 0.0022 * size), {}, "order", &colours));
     static const auto kinds = kindColours(stepKinds());
-    actors.push_back(addMesh(panel, *tubesOf(dump, path, corners, steps, true, 0.0012 * size), {.opacity = 0.9}, "step", kinds));
+    actors.push_back(addMesh(panel, *tubesOf(dump, path, corners, steps, true, 0.0014 * size), {.opacity = 0.9}, "step", kinds));
     return actors;
 }
 

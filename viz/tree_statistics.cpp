@@ -9,7 +9,7 @@
 namespace gno::viz {
 namespace {
 
-constexpr int kWedgeBins = 30;
+constexpr int kWedgeBins = 18;  // each twice as wide as the one before
 constexpr double kSceneRadius = 1.75;  // GNO_SCENE_RADIUS of glsl/core/light.glsl
 
 /// How wide the intersection child's volumes reach on both sides of the plane, as the device bounds it (top/plane.glsl, gnoTopWedge): sines, or for a light at infinity
@@ -27,7 +27,8 @@ void addWedges(const Dump& dump, const TopTree& tree, TreeStatistics& result) {
     const bool atPoint = dump.light().w != 0;
     const double most = atPoint ? 180.0 : 2 * kSceneRadius * dump.metres();
     result.wedges = {"wedge", atPoint ? "degrees" : "m", {}, std::vector<uint64_t>(kWedgeBins, 0)};
-    for (int i = 0; i <= kWedgeBins; ++i) result.wedges.edges.push_back(most * i / kWedgeBins);
+    result.wedges.edges.push_back(0);
+    for (int i = kWedgeBins - 1; i >= 0; --i) result.wedges.edges.push_back(std::ldexp(most, -i));
     for (const Volume& volume : tree.volumes)
         for (uint32_t place = 0; place < 3; ++place) {  // a cap's intersection child is entered without a test
             const GnoTopLink& link = tree.links[4 * volume.caster + place];
@@ -41,7 +42,7 @@ void addWedges(const Dump& dump, const TopTree& tree, TreeStatistics& result) {
             if (!bounded)
                 ++result.wedgesWithoutBound;
             else
-                ++result.wedges.counts[size_t(std::clamp(int(width / most * kWedgeBins), 0, kWedgeBins - 1))];
+                ++result.wedges.counts[size_t(std::clamp(kWedgeBins - 1 + int(std::floor(std::log2(std::max(width, 1e-30) / most))) + 1, 0, kWedgeBins - 1))];
         }
 }
 
