@@ -74,6 +74,15 @@ vtkSmartPointer<vtkPolyData> nodeMesh(const Dump& dump, const ClusterTree& tree,
     return mesh;
 }
 
+/// Viewer and clusters.
+Box focusOf(const ClusterTree& tree) {
+    Box box{glm::dvec3(tree.frame.origin), glm::dvec3(tree.frame.origin)};
+    for (const ClusterNode& node : tree.nodes)
+        if (node.level == tree.layout.levels)
+            for (const glm::dvec3& corner : tree.cellOf(node)) box = {glm::min(box.low, corner), glm::max(box.high, corner)};
+    return box;
+}
+
 vtkSmartPointer<vtkImageData> pixelImage(const Dump& dump) {
     const auto image = vtkSmartPointer<vtkImageData>::New();
     image->SetDimensions(int(dump.width()), int(dump.height()), 1);
@@ -120,7 +129,7 @@ Level levelOf(const Dump& dump, const ClusterTree& tree, uint32_t number, size_t
 std::vector<vtkSmartPointer<vtkActor>> addLevel(Picture& picture, const Dump& dump, const ClusterTree& tree, const Level& level, const std::string& color, vtkLookupTable& table) {
     std::vector<vtkSmartPointer<vtkActor>> actors;
     const std::string by = color == "distance" ? "distance" : "accepted";
-    const MeshLook look{.opacity = 0.55, .edges = level.nodes.size() > 5000 ? 0.4 : 0.9};
+    const MeshLook look{.opacity = 0.8, .edges = level.nodes.size() > 1000 ? 0.0 : 0.8};
     actors.push_back(addMesh(picture.panel(0), *nodeMesh(dump, tree, level.nodes, Shape::cell), look, by, &table));
     std::vector<ClusterNode> boxed;
     for (const ClusterNode& node : level.nodes)
@@ -170,7 +179,7 @@ void viewClusters(const Options& options) {
             actors = addLevel(picture, dump, tree, levelOf(dump, tree, uint32_t(number), options.limit), options.color, *table);
         };
         to(1);
-        picture.lookAt(dump, options.view);
+        picture.lookAt(dump, options.view, focusOf(tree));
         picture.show({"level of the hierarchy", 1, int(tree.layout.levels), 1, to}, options.closeAfter);
         return;
     }
@@ -190,7 +199,7 @@ void viewClusters(const Options& options) {
         picture.note(level.leftOut(number));
         picture.note("green ball: the viewer; yellow ball: the light");
         picture.note(settings);
-        picture.lookAt(dump, options.view);
+        picture.lookAt(dump, options.view, focusOf(tree));
         picture.writePng(options.out / fmt::format("{}-clusters-level-{}.png", dump.name(), number));
         fmt::print("{}: {}\n", dump.title(), level.leftOut(number));
     }

@@ -25,7 +25,7 @@ int run(int argc, const char* const* argv) {
     switch (command.kind) {
         case Command::Kind::tree: viewTree(command.options); break;
         case Command::Kind::clusters: viewClusters(command.options); break;
-        case Command::Kind::samples: break;
+        case Command::Kind::samples: viewSamples(command.options); break;
         case Command::Kind::none: break;
     }
     if (std::fflush(stdout) != 0) throw gno::host::WorkError("cannot write to standard output: is the disk full, or the reader gone?");

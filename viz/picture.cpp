@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <vtkActor2D.h>
-#include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkLegendBoxActor.h>
 #include <vtkNew.h>
@@ -39,13 +38,13 @@ vtkSmartPointer<vtkTextActor> text(const std::string& words, int size, double x,
     return actor;
 }
 
-/// How far from `at`, along `back`, all corners of the dump's box are in a picture whose right fifth is the legend's.
-double distanceFor(const Dump& dump, glm::dvec3 back, glm::dvec3 at, double aspect) {
+/// How far from `at`, along `back`, all corners of the box are in a picture whose right fifth is the legend's.
+double distanceFor(const Dump& dump, const Box& box, glm::dvec3 back, glm::dvec3 at, double aspect) {
     const double slope = 0.94 * std::tan(glm::radians(kViewAngle / 2));
     const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), back)), up = glm::cross(back, right);
     double distance = 0;
     for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 p = dump.world({corner & 1 ? dump.high().x : dump.low().x, corner & 2 ? dump.high().y : dump.low().y, corner & 4 ? dump.high().z : dump.low().z}) - at;
+        const glm::dvec3 p = dump.world({corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y, corner & 4 ? box.high.z : box.low.z}) - at;
         const double across = std::max(std::abs(glm::dot(p, right)) / (0.8 * aspect), std::abs(glm::dot(p, up)));
         distance = std::max(distance, across / slope + glm::dot(p, back));
     }
@@ -134,42 +133,51 @@ void Picture::legend(int index, const std::vector<Kind>& kinds) {
     box->UseBackgroundOff();
     box->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
     box->GetPosition2Coordinate()->SetCoordinateSystemToNormalizedViewport();
-    const double height = 0.032 * double(kinds.size());
-    box->GetPositionCoordinate()->SetValue(0.74, 0.93 - height);
-    box->GetPosition2Coordinate()->SetValue(0.25, height);
+    const double* viewport = panel(index).GetViewport();
+    const double width = 0.26 / (viewport[2] - viewport[0]), height = 0.034 * double(kinds.size()) / (viewport[3] - viewport[1]);
+    box->GetPositionCoordinate()->SetValue(0.99 - width, 0.94 - height);
+    box->GetPosition2Coordinate()->SetValue(width, height);
     plain(*box->GetEntryTextProperty(), window_->GetSize()[1] / 60);
     panel(index).AddViewProp(box);
 }
 
-void Picture::lookAt(const Dump& dump, View view) {
-    const DumpCamera& own = dump.camera();
+void Picture::placeOverview(vtkCamera& camera, const Dump& dump, const Box& focus, vtkRenderer& panel) const {
+    const glm::dvec3 at = dump.world((focus.low + focus.high) / 2.0), away = dump.camera().back;
+    glm::dvec3 side(away.x, 0, away.z);
+    side = glm::length(side) > 1e-3 ? glm::normalize(side) : glm::dvec3(0, 0, 1);
+    const glm::dvec3 back = glm::normalize(side + glm::dvec3(0, 0.62, 0));
+    const double* viewport = panel.GetViewport();
+    const int* size = window_->GetSize();
+    const double aspect = (viewport[2] - viewport[0]) * size[0] / ((viewport[3] - viewport[1]) * size[1]);
+    const glm::dvec3 from = at + back * distanceFor(dump, focus, back, at, aspect);
+    camera.SetPosition(from.x, from.y, from.z);
+    camera.SetFocalPoint(at.x, at.y, at.z);
+    camera.SetViewUp(0, 1, 0);
+    camera.SetViewAngle(kViewAngle);
+    camera.SetWindowCenter(0.1, 0);  // the legend stands at the right
+}
+
+void Picture::lookAt(const Dump& dump, View view, const Box& focus, const std::vector<int>& which) {
+    std::vector<vtkRenderer*> panels;
+    for (const int index : which) panels.push_back(&panel(index));
+    if (which.empty()) panels.assign(panels_.begin(), panels_.end());
     vtkNew<vtkCamera> camera;
-    for (const auto& panel : panels_) panel->SetActiveCamera(camera);
-    if (view == View::camera) {
-        const glm::dvec3 from = dump.world(own.position);
-        const glm::dvec3 at = from - own.back * glm::length(dump.high() - dump.low()) * dump.metres();
+    if (view == View::overview) {
+        placeOverview(*camera, dump, focus, *panels.front());
+    } else {
+        const DumpCamera& own = dump.camera();
+        const glm::dvec3 from = dump.world(own.position), at = from - own.back * glm::length(dump.high() - dump.low()) * dump.metres();
         camera->SetPosition(from.x, from.y, from.z);
         camera->SetFocalPoint(at.x, at.y, at.z);
         camera->SetViewUp(own.up.x, own.up.y, own.up.z);
         camera->SetParallelProjection(!own.perspective);
         camera->SetViewAngle(glm::degrees(own.yfov));
         camera->SetParallelScale(own.ymag * dump.metres());
-    } else {
-        const glm::dvec3 at = dump.world((dump.low() + dump.high()) / 2.0);
-        glm::dvec3 side(own.back.x, 0, own.back.z);
-        side = glm::length(side) > 1e-3 ? glm::normalize(side) : glm::dvec3(0, 0, 1);
-        const glm::dvec3 back = glm::normalize(side + glm::dvec3(0, 0.62, 0));
-        const double* viewport = panels_.front()->GetViewport();
-        const int* size = window_->GetSize();
-        const double aspect = (viewport[2] - viewport[0]) * size[0] / ((viewport[3] - viewport[1]) * size[1]);
-        const glm::dvec3 from = at + back * distanceFor(dump, back, at, aspect);
-        camera->SetPosition(from.x, from.y, from.z);
-        camera->SetFocalPoint(at.x, at.y, at.z);
-        camera->SetViewUp(0, 1, 0);
-        camera->SetViewAngle(kViewAngle);
-        camera->SetWindowCenter(0.1, 0);  // the legend stands at the right
     }
-    for (const auto& panel : panels_) panel->ResetCameraClippingRange();
+    for (vtkRenderer* panel : panels) {
+        panel->SetActiveCamera(camera);
+        panel->ResetCameraClippingRange();
+    }
 }
 
 void Picture::render() {

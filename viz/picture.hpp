@@ -10,6 +10,7 @@
 
 #include <glm/glm.hpp>
 #include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkLookupTable.h>
 #include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
@@ -46,8 +47,8 @@ public:
     /// "subtree minimum distance [m]" beside a panel.
     void legend(int index, vtkLookupTable& colours, const std::string& title);
     void legend(int index, const std::vector<Kind>& kinds);
-    /// The same camera for all panels.
-    void lookAt(const Dump& dump, View view);
+    /// One camera for these panels (none: all). An overview sees all of `focus`, a box on the grid.
+    void lookAt(const Dump& dump, View view, const Box& focus, const std::vector<int>& panels = {});
 
     void writePng(const std::filesystem::path& path);
     /// Shows it until the user closes it, or for `closeAfter` seconds (0: no end). onScreen only.
@@ -55,6 +56,7 @@ public:
 
 private:
     void render();
+    void placeOverview(vtkCamera& camera, const Dump& dump, const Box& focus, vtkRenderer& panel) const;
     vtkSmartPointer<vtkRenderWindow> window_;
     vtkSmartPointer<vtkRenderer> frame_;
     std::vector<vtkSmartPointer<vtkRenderer>> panels_;

@@ -73,6 +73,16 @@ std::vector<vtkSmartPointer<vtkActor>> addPath(vtkRenderer& panel, const Dump& d
     return actors;
 }
 
+Box boxOf(std::span<const QueryPath> paths, std::span<const Corners> corners) {
+    const glm::dvec3 sample(paths.front().sample);
+    std::vector<double> away;
+    for (const QueryPath& path : paths)
+        for (const Visit& visit : path.visits) away.push_back(glm::length(placeOf(visit.node, corners) - sample));
+    std::sort(away.begin(), away.end());
+    const double radius = std::max(1e-6, away[away.size() * 9 / 10]);
+    return {sample - radius, sample + radius};
+}
+
 void drawPaths(Picture& picture, const Dump& dump, std::span<const QueryPath> paths, std::span<const Corners> corners) {
     size_t longest = 1;
     for (const QueryPath& path : paths) longest = std::max(longest, path.visits.size());

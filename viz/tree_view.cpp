@@ -154,7 +154,7 @@ void show(const Options& options, const Dump& dump, const TopTree& tree, std::sp
     upTo(deepest);
     addColors(picture, options, coloring);
     picture.note(leftOut(tree, drawn));
-    picture.lookAt(dump, options.view);
+    picture.lookAt(dump, options.view, boxOf(dump));
     picture.show({"deepest level that is drawn", 0, std::max(1, deepest), deepest, upTo}, options.closeAfter);
 }
 
@@ -188,7 +188,7 @@ void writePaths(const Options& options, std::span<const Dump> dumps, const TopTr
     drawPaths(picture, dump, paths, corners);
     picture.note("tubes: from node to node in the order of the visits; a lateral plane stands at the middle of its edge, a cap at the middle of its caster");
     picture.note("orange: from the stack; vermilion: back by an ancestor link; vermilion ball: the sample; yellow ball: the light");
-    picture.lookAt(dump, options.view);
+    picture.lookAt(dump, options.view, boxOf(paths, corners));
     picture.writePng(options.out / (dump.name() + "-tree-path.png"));
     writeBytes(options.out / (dump.name() + "-tree-steps.png"), drawPng(stepsFigure(title, paths)));
 }
@@ -218,7 +218,7 @@ void viewTree(const Options& options) {
     addMesh(picture.panel(0), *mesh, {.opacity = 0.35}, coloring.array, coloring.table);
     addColors(picture, options, coloring);
     addNotes(picture, dump, tree, statistics, drawn);
-    picture.lookAt(dump, options.view);
+    picture.lookAt(dump, options.view, boxOf(dump));
     picture.writePng(options.out / fmt::format("{}-tree-{}.png", dump.name(), options.color));
     fmt::print("{}: {}\n", dump.title(), leftOut(tree, drawn));
 }
