@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "host_min/output/atomic_file.hpp"
 #include "host_min/output/heatmap.hpp"
 #include "host_min/output/png.hpp"
@@ -21,9 +19,9 @@ FrameOutputs::FrameOutputs(const ShadeOptions& options, const FrameInputs& input
     layers_.push_back({"primitive", {{"", frame_->primitives()}}});
 }
 
-void FrameOutputs::add(const Technique& technique, const TechniqueResult& result, const OracleAnswer* answer) {
-    const std::string layerName = fmt::format("{}.{}", technique.info().name, name(options_.precision));
-    if (!result.dump.empty()) dumps_.push_back({layerName, result.dump});
+void FrameOutputs::add(const Record& record, const TechniqueResult& result, const OracleAnswer* answer) {
+    const std::string layerName = fmt::format("{}.{}", record.technique, record.precision);
+    if (options_.dump) dumps_.push_back(makeDump(inputs_, result, record, answer));
     if (!options_.pictures) return;
     const uint32_t w = inputs_.width(), h = inputs_.height();
     const Raster<uint8_t> visibility(w, h, narrowVisibility(result.visibility));
@@ -52,27 +50,7 @@ void FrameOutputs::write() {
     if (options_.pictures || !dumps_.empty()) makeFolder(options_.out);
     for (const NamedPicture& picture : pictures_) writePng(options_.out / fmt::format("{}-{}.png", stem_, picture.suffix), picture.picture);
     if (options_.pictures) writeExr(options_.out / (stem_ + ".exr"), inputs_.width(), inputs_.height(), layers_);
-    for (const Dump& dump : dumps_) {
-        nlohmann::ordered_json index = nlohmann::ordered_json::object();
-        const auto writeRaw = [&](const std::string& what, std::span<const std::byte> bytes, const std::string& layout) {
-            const std::string file = fmt::format("{}-{}-{}.bin", stem_, dump.suffix, what);
-            AtomicFile out(options_.out / file);
-            out.stream().write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
-            out.commit();
-            index["buffers"].push_back({{"name", what}, {"file", file}, {"bytes", bytes.size()}, {"layout", layout}});
-        };
-        const glm::vec4 light = inputs_.light();
-        index["casters"] = inputs_.triangleCount();
-        index["light"] = {light.x, light.y, light.z, light.w};
-        index["size"] = {inputs_.width(), inputs_.height()};
-        for (const DumpedBuffer& buffer : dump.buffers) writeRaw(buffer.name, buffer.bytes, buffer.layout);
-        const std::vector<std::byte> casters = inputs_.casters().download();  // the buffer itself may be longer
-        writeRaw("casters", std::span(casters).first(inputs_.triangleCount() * sizeof(Triangle)), "float[9 * casters], grid positions");
-        writeRaw("samples", inputs_.samples().download(), "uvec4[width * height]: position as float bits, own caster");
-        AtomicFile out(options_.out / fmt::format("{}-{}-dump.json", stem_, dump.suffix));
-        out.stream() << index.dump(1) << '\n';
-        out.commit();
-    }
+    for (const Dump& dump : dumps_) writeDump(options_.out, stem_, dump);
 }
 
 }  // namespace gno::host

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "host_min/app/dump.hpp"
 #include "host_min/app/frame_pictures.hpp"
 #include "host_min/app/options.hpp"
 #include "host_min/output/exr.hpp"
@@ -17,17 +18,13 @@ public:
     FrameOutputs(const ShadeOptions& options, const FrameInputs& inputs, const SceneFile& file, uint32_t frame, uint32_t light);
 
     /// `answer` may be null: then there is no difference picture.
-    void add(const Technique& technique, const TechniqueResult& result, const OracleAnswer* answer);
+    void add(const Record& record, const TechniqueResult& result, const OracleAnswer* answer);
     void write();  ///< makes the folder; each file is complete or not there
 
 private:
     struct NamedPicture {
         std::string suffix;  ///< "d-psv.certified-mask"
         Picture picture;
-    };
-    struct Dump {
-        std::string suffix;
-        std::vector<DumpedBuffer> buffers;
     };
     const ShadeOptions& options_;
     const FrameInputs& inputs_;

@@ -31,6 +31,14 @@ void checkOutputs(const ShadeOptions& options) {
     const AtomicFile probe(options.json);
 }
 
+/// Pixels without a view sample have no query.
+void checkTrace(const ShadeOptions& options, const FrameInputs& inputs) {
+    if (!options.trace) return;
+    const glm::uvec2 at = *options.trace;
+    if (inputs.pixels()[size_t(at.y) * inputs.width() + at.x].own > GNO_NO_CASTER)
+        throw InputError(fmt::format("--trace {},{}: that pixel shows the background or a surface that faces away from the light, so it has no query", at.x, at.y));
+}
+
 }  // namespace
 
 bool shade(const ShadeOptions& options) {
@@ -57,6 +65,8 @@ bool shade(const ShadeOptions& options) {
         leftOut += fmt::format("{}left out {}: the device lacks {}", leftOut.empty() ? "" : "\n", technique->info().name, missing);
     }
     std::erase_if(chosen, [&](const Technique* technique) { return !missingFor(technique->info(), device.facts()).empty(); });
+    if (options.trace && std::none_of(chosen.begin(), chosen.end(), [](const Technique* technique) { return technique->info().traces; }))
+        throw InputError("--trace: none of the techniques can log a query: use psv, d-psv, d-stackless or d-hybrid");
     checkOutputs(options);
     PassCache passes(device);
     std::vector<Record> records;
@@ -75,6 +85,7 @@ bool shade(const ShadeOptions& options) {
         for (uint32_t light = options.light.value_or(0); light <= options.light.value_or(lightCount - 1); ++light) {
             progress.show("view samples");
             inputs.setLight(frame.lights.at(light).homogeneous, cull);
+            checkTrace(options, inputs);
             const double floorMs = measureFloor(inputs, std::max(options.repeat, 3u), true);
             std::optional<OracleAnswer> answer;
             const bool withSums =
@@ -92,7 +103,7 @@ bool shade(const ShadeOptions& options) {
                 throwIfInterrupted();
                 progress.show(technique->info().name);
                 const TechniqueResult result = technique->run(inputs, structures, Settings(technique->info().settings, options.settings),
-                                                              {options.precision, options.repeat, true, options.dump});
+                                                              {options.precision, options.repeat, true, options.dump, true, options.trace});
                 Record record = makeRecord(inputs, result);
                 record.scene = options.scene.string();
                 record.technique = technique->info().name;
@@ -104,7 +115,7 @@ bool shade(const ShadeOptions& options) {
                 record.floorMs = floorMs;
                 for (const Effect& effect : effectsOf(file, frame, int(light))) record.effects.push_back(effect.name);
                 if (answer) record.check = compare(result, inputs, *answer);
-                outputs.add(*technique, result, answer ? &*answer : nullptr);
+                outputs.add(record, result, answer ? &*answer : nullptr);
                 records.push_back(std::move(record));
             }
             throwIfInterrupted();
