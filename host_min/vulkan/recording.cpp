@@ -33,7 +33,8 @@ vk::DescriptorSet Recording::allocateSet(vk::DescriptorSetLayout layout) {
     }
     const std::array sizes{vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, 8 * kSetsPerPool),
                            vk::DescriptorPoolSize(vk::DescriptorType::eUniformBuffer, 2 * kSetsPerPool),
-                           vk::DescriptorPoolSize(vk::DescriptorType::eStorageImage, 4 * kSetsPerPool)};
+                           vk::DescriptorPoolSize(vk::DescriptorType::eStorageImage, 4 * kSetsPerPool),
+                           vk::DescriptorPoolSize(vk::DescriptorType::eCombinedImageSampler, kSetsPerPool)};
     descriptorPools_.emplace_back(device_.handle(), vk::DescriptorPoolCreateInfo({}, kSetsPerPool, sizes));
     return allocate();
 }
@@ -50,7 +51,7 @@ void Recording::toGeneral(const Image& image) {
     using Access = vk::AccessFlagBits2;
     const vk::ImageMemoryBarrier2 transition(Stage::eAllCommands, Access::eMemoryWrite, Stage::eAllCommands, Access::eMemoryRead | Access::eMemoryWrite,
                                              vk::ImageLayout::eUndefined, vk::ImageLayout::eGeneral, VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
-                                             image.handle(), {image.aspect(), 0, 1, 0, 1});
+                                             image.handle(), {image.aspect(), 0, 1, 0, image.layers()});
     commands_.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, transition));
 }
 
