@@ -71,15 +71,19 @@ public:
         Image visibility(device, inputs.width(), inputs.height(), vk::Format::eR32Uint);
         visibility.clear(vk::ClearColorValue(kPoison, kPoison, kPoison, kPoison));
 
-        const auto times = measure(device, options.repeat, options.warmUp, [&](Recording& recording) {
-            recording.beginPass("shadow_map_build");
+        // A recording each: after a graphics pass lavapipe leaves the time stamps of a compute pass to its rasteriser, which is not asked in time.
+        const auto timed = [&](const char* name, const auto& record) {
+            const auto times = measure(device, options.repeat, options.warmUp, [&](Recording& recording) {
+                recording.beginPass(name);
+                record(recording);
+                recording.endPass();
+            });
+            result.passes.push_back({times.front().name, times.front().ms});
+        };
+        timed("shadow_map_build", [&](Recording& recording) {
             for (uint32_t view = 0; view < frusta.size(); ++view) draw(recording, inputs, views, map, view, settings);
-            recording.endPass();
-            recording.beginPass("shadow_map_query");
-            query(recording, inputs, views, map, visibility, settings.word("stage") == "fragment");
-            recording.endPass();
         });
-        for (const PassTime& pass : times) result.passes.push_back({pass.name, pass.ms});
+        timed("shadow_map_query", [&](Recording& recording) { query(recording, inputs, views, map, visibility, settings.word("stage") == "fragment"); });
         const uint64_t texels = uint64_t(side) * side * map.layers();
         result.bytes = {{"map", texels * map.texelBytes()}, {"views", views.bytes()}};
         result.visibility = visibility.downloadAs<uint32_t>();
