@@ -43,8 +43,8 @@ void gnoShadowMapMeasure(GnoViewSample s_) {
     for (uint i_ = 0u; i_ < GNO_SHADOW_MAP_VIEW_COUNT; ++i_) {
         vec4 clip_ = gnoShadowMapClip(GNO_SHADOW_MAP_LOAD_VIEW(i_), q_);
         if (!gnoShadowMapHolds(clip_)) continue;
-        uint x_ = uint((clip_.x / clip_.w * 0.5 + 0.5) * GNO_SHADOW_MAP_STEPS);
-        uint y_ = uint((clip_.y / clip_.w * 0.5 + 0.5) * GNO_SHADOW_MAP_STEPS);
+        uint x_ = uint((clip_.x / clip_.w * 0.5f + 0.5f) * GNO_SHADOW_MAP_STEPS);
+        uint y_ = uint((clip_.y / clip_.w * 0.5f + 0.5f) * GNO_SHADOW_MAP_STEPS);
         uint steps_ = uint(GNO_SHADOW_MAP_STEPS);
         gnoShadowMapWiden_(4u * i_, steps_ - x_ + 1u);
         gnoShadowMapWiden_(4u * i_ + 1u, x_ + 1u);

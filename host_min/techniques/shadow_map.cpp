@@ -46,10 +46,9 @@ public:
             {"map", "texels along a side, of each view", 512, 8192, {}, "2048"},
             {"fit", "a view covers the whole scene (cube faces: 90 degrees), or just the view samples", 0, 0, {"uniform", "focused"}, "focused"},
             {"bias", "slope-scaled bias: texels by which a caster's plane is followed away from the light", 0, 64, {}, "1.0", true},
-            {"constant_bias", "constant bias: texel widths by which a sample is moved towards the light", 0, 64, {}, "0.05", true},
+            {"constant_bias", "constant bias: texel widths by which a sample is moved towards the light", 0, 64, {}, "1.0", true},
             {"faces", "faces that are drawn, as the light sees them", 0, 0, {"both", "back", "front"}, "both"},
             {"stage", "shader stage of the query", 0, 0, {"compute", "fragment"}, "compute"}};
-        info_.rasterises = true;
     }
 
     const TechniqueInfo& info() const override { return info_; }

@@ -24,7 +24,6 @@ struct TechniqueInfo {
     std::vector<SettingInfo> settings;
     std::vector<std::string> effects;  ///< what it can answer for: point_light, directional_light, ...
     bool subgroupBallot = false;       ///< needs subgroup ballots in compute shaders, beyond what the host needs anyway
-    bool rasterises = false;           ///< runs a graphics pipeline of its own, in whatever stage the query is
 };
 
 /// What the device lacks for this technique, by Vulkan's field name; empty: nothing.
