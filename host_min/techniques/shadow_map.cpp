@@ -22,7 +22,9 @@ struct DrawPush {
 };
 static_assert(sizeof(DrawPush) == 24);
 
-uint32_t facesByName(const std::string& word) { return word == "back" ? GNO_SHADOW_MAP_BACK : word == "front" ? GNO_SHADOW_MAP_FRONT : GNO_SHADOW_MAP_BOTH; }
+uint32_t facesByName(const std::string& word) {
+    return word == "back" ? GNO_SHADOW_MAP_BACK : word == "front" ? GNO_SHADOW_MAP_FRONT : GNO_SHADOW_MAP_BOTH;
+}
 
 /// Header and views, as glsl/shadow_map/bindings.glsl reads them.
 Buffer viewBuffer(const Device& device, std::span<const ShadowFrustum> frusta, uint32_t size, float constantBias) {
@@ -82,7 +84,8 @@ public:
         timed("shadow_map_build", [&](Recording& recording) {
             for (uint32_t view = 0; view < frusta.size(); ++view) draw(recording, inputs, views, map, view, settings);
         });
-        timed("shadow_map_query", [&](Recording& recording) { query(recording, inputs, views, map, visibility, settings.word("stage") == "fragment"); });
+        timed("shadow_map_query",
+              [&](Recording& recording) { query(recording, inputs, views, map, visibility, settings.word("stage") == "fragment"); });
         const uint64_t texels = uint64_t(side) * side * map.layers();
         result.bytes = {{"map", texels * map.texelBytes()}, {"views", views.bytes()}};
         result.visibility = visibility.downloadAs<uint32_t>();
@@ -106,7 +109,8 @@ private:
         const Buffer views = viewBuffer(inputs.device(), whole, 1, 0);
         const Buffer bounds(inputs.device(), whole.size() * 16, vk::BufferUsageFlagBits::eStorageBuffer);
         const ComputePass& pass = inputs.passes().compute("shadow_map/examples/fit.comp");
-        const std::array resources{Binding{"gnoShadowMapViews", &views}, Binding{"gnoShadowMapBounds", &bounds}, Binding{"gnoSamples", &inputs.samples()}};
+        const std::array resources{Binding{"gnoShadowMapViews", &views}, Binding{"gnoShadowMapBounds", &bounds},
+                                   Binding{"gnoSamples", &inputs.samples()}};
         const ExamplePush push = inputs.push();
         const auto times = measure(inputs.device(), options.repeat, options.warmUp, [&](Recording& recording) {
             recording.beginPass("shadow_map_setup");
@@ -131,20 +135,26 @@ private:
         }
     }
 
-    static void draw(Recording& recording, const FrameInputs& inputs, const Buffer& views, const Image& map, uint32_t view, const Settings& settings) {
+    static void draw(Recording& recording, const FrameInputs& inputs, const Buffer& views, const Image& map, uint32_t view,
+                     const Settings& settings) {
         const RasterPass& pass = inputs.passes().raster("shadow_map/examples/depth.vert", "", {}, true);
-        const std::array resources{Binding{"gnoCasters", &inputs.casters()}, Binding{"gnoStates", &inputs.states()}, Binding{"gnoShadowMapViews", &views}};
+        const std::array resources{Binding{"gnoCasters", &inputs.casters()}, Binding{"gnoStates", &inputs.states()},
+                                   Binding{"gnoShadowMapViews", &views}};
         const DrawPush push{inputs.light(), view, facesByName(settings.word("faces"))};
-        pass.drawDepth(recording, map, view, -float(settings.real("bias")), resources, std::as_bytes(std::span(&push, 1)), 3 * inputs.triangleCount());
+        pass.drawDepth(recording, map, view, -float(settings.real("bias")), resources, std::as_bytes(std::span(&push, 1)),
+                       3 * inputs.triangleCount());
     }
 
-    static void query(Recording& recording, const FrameInputs& inputs, const Buffer& views, const Image& map, const Image& visibility, bool fragment) {
+    static void query(Recording& recording, const FrameInputs& inputs, const Buffer& views, const Image& map, const Image& visibility,
+                      bool fragment) {
         const ExamplePush push = inputs.push();
         const auto bytes = std::as_bytes(std::span(&push, 1));
         const std::array resources{Binding{"gnoShadowMapViews", &views}, Binding{"gnoShadowMap", &map}, Binding{"gnoSamples", &inputs.samples()},
                                    Binding{"gnoVisibility", &visibility}};
         if (!fragment) {
-            inputs.passes().compute("shadow_map/examples/query.comp").dispatch(recording, resources, bytes, (inputs.width() + 7) / 8, (inputs.height() + 7) / 8);
+            inputs.passes()
+                .compute("shadow_map/examples/query.comp")
+                .dispatch(recording, resources, bytes, (inputs.width() + 7) / 8, (inputs.height() + 7) / 8);
             return;
         }
         const std::array formats{visibility.format()};

@@ -64,8 +64,8 @@ std::vector<ShadowFrustum> shadowFrusta(const Frame& frame, glm::vec4 light) {
     return result;
 }
 
-std::vector<ShadowFrustum> fitShadowFrusta(std::span<const ShadowFrustum> frusta, std::span<const uint32_t> measured, std::span<const Triangle> casters,
-                                           bool focused) {
+std::vector<ShadowFrustum> fitShadowFrusta(std::span<const ShadowFrustum> frusta, std::span<const uint32_t> measured,
+                                           std::span<const Triangle> casters, bool focused) {
     std::vector<ShadowFrustum> result;
     for (size_t i = 0; i < frusta.size(); ++i) {
         const glm::uvec4 bounds(measured[4 * i], measured[4 * i + 1], measured[4 * i + 2], measured[4 * i + 3]);

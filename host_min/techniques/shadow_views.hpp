@@ -19,13 +19,13 @@ struct ShadowFrustum {
     [[nodiscard]] GnoShadowMapView view() const;
 };
 
-/// Everything the light sees: the prism that holds every position of the grid; six faces of a cube; for a spot light whose cone opens to 75 degrees at most
-/// that cone's pyramid before them. The first one that holds a sample answers for it; together they hold every position but the light's own.
+/// Everything the light sees: the prism that holds every position of the grid; six faces of a cube; for a spot light whose cone opens to 75 degrees
+/// at most that cone's pyramid before them. The first one that holds a sample answers for it; together they hold every position but the light's own.
 std::vector<ShadowFrustum> shadowFrusta(const Frame& frame, glm::vec4 light);
 
-/// Of `frusta` those that hold samples: `measured` is what glsl/shadow_map/fit.glsl wrote. focused: cut down to the samples; otherwise pyramids stay whole,
-/// and a prism is cut down to the casters.
-std::vector<ShadowFrustum> fitShadowFrusta(std::span<const ShadowFrustum> frusta, std::span<const uint32_t> measured, std::span<const Triangle> casters,
-                                           bool focused);
+/// Of `frusta` those that hold samples: `measured` is what glsl/shadow_map/fit.glsl wrote. focused: cut down to the samples; otherwise pyramids stay
+/// whole, and a prism is cut down to the casters.
+std::vector<ShadowFrustum> fitShadowFrusta(std::span<const ShadowFrustum> frusta, std::span<const uint32_t> measured,
+                                           std::span<const Triangle> casters, bool focused);
 
 }  // namespace gno::host

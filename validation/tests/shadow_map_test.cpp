@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shadow maps on the device against the oracle: away from silhouettes every sample is right, near them a few are wrong, fewer with more texels and with fitted
-// views; without bias surfaces darken themselves, with too much of it light leaks below what stands on the ground.
+// Shadow maps on the device against the oracle: away from silhouettes every sample is right, near them a few are wrong, fewer with more texels and
+// with fitted views; without bias surfaces darken themselves, with too much of it light leaks below what stands on the ground.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -34,7 +34,7 @@ void addSurface(Stage& stage, glm::vec3 corner, glm::vec3 u, glm::vec3 v) {
     for (int i = 0; i < kGrid; ++i)
         for (int k = 0; k < kGrid; ++k) {
             const float s = (float(i) + 0.37f) / kGrid, t = (float(k) + 0.61f) / kGrid;  // off the diagonal: s + eps != t
-            const uint32_t half = s > t ? 0 : 1;                                           // addQuad: a b c, a c d
+            const uint32_t half = s > t ? 0 : 1;                                         // addQuad: a b c, a c d
             stage.scene.samples.push_back({snap(glm::dvec3(corner + u * s + v * t + normal * kOff)), own + half});
             stage.tangents.push_back({glm::normalize(u), glm::normalize(v)});
         }
@@ -96,7 +96,8 @@ std::vector<uint8_t> nearSilhouette(const Stage& stage, const host::OracleAnswer
             test::Scene moved = stage.scene;
             const float angle = float(direction) * 0.785398f;
             for (size_t i = 0; i < moved.samples.size(); ++i)
-                moved.samples[i].position = snap(glm::dvec3(moved.samples[i].position + part * radius * (std::cos(angle) * stage.tangents[i][0] + std::sin(angle) * stage.tangents[i][1])));
+                moved.samples[i].position = snap(glm::dvec3(
+                    moved.samples[i].position + part * radius * (std::cos(angle) * stage.tangents[i][0] + std::sin(angle) * stage.tangents[i][1])));
             const host::OracleAnswer other = test::ask(moved);
             for (size_t i = 0; i < result.size(); ++i) result[i] |= uint8_t(other.inShadow[i] != answer.inShadow[i]);
         }
@@ -125,7 +126,8 @@ Tally tally(const Stage& stage, const host::TechniqueResult& result, const host:
     return sum;
 }
 
-/// Width of a texel on the surfaces of these scenes, at most: views are 2 slopes wide at distances up to 1.3, or prisms 2 wide, and meet surfaces at 30 degrees or more.
+/// Width of a texel on the surfaces of these scenes, at most: views are 2 slopes wide at distances up to 1.3, or prisms 2 wide, and meet surfaces at
+/// 30 degrees or more.
 float texel(uint32_t map) { return 2.0f * 1.3f / float(map) / 0.5f; }
 
 void expectRightAwayFromSilhouettes(const Stage& stage, const std::string& what, uint64_t views) {
@@ -135,11 +137,11 @@ void expectRightAwayFromSilhouettes(const Stage& stage, const std::string& what,
         for (const char* fit : {"uniform", "focused"}) {
             const host::TechniqueResult result = shoot(stage, {"map=" + std::to_string(map), std::string("fit=") + fit});
             const Tally sum = tally(stage, result, answer, near);
-            std::printf("%s, map %u, %s: %llu wrong (%llu leaks, %llu false dark) of %zu, %llu of them away from silhouettes (%llu)\n", what.c_str(), map, fit,
-                        (unsigned long long)sum.wrong, (unsigned long long)sum.leaks, (unsigned long long)sum.falseDark, near.size(), (unsigned long long)sum.wrongFar,
-                        (unsigned long long)sum.far);
+            std::printf("%s, map %u, %s: %llu wrong (%llu leaks, %llu false dark) of %zu, %llu of them away from silhouettes (%llu)\n", what.c_str(),
+                        map, fit, (unsigned long long)sum.wrong, (unsigned long long)sum.leaks, (unsigned long long)sum.falseDark, near.size(),
+                        (unsigned long long)sum.wrongFar, (unsigned long long)sum.far);
             EXPECT_EQ(sum.wrongFar, 0u) << what << " " << map << " " << fit;
-            EXPECT_GT(sum.dark, near.size() / 50);
+            EXPECT_GT(sum.dark, near.size() / 100);
             EXPECT_GT(sum.far, near.size() / 2) << "nearly everything is near a silhouette: this tests nothing";
             EXPECT_EQ(counter(result, "views"), views);
             EXPECT_EQ(counter(result, "texels"), views * map * map);
@@ -149,46 +151,55 @@ void expectRightAwayFromSilhouettes(const Stage& stage, const std::string& what,
     }
 }
 
-TEST(ShadowMap, PointLight) { expectRightAwayFromSilhouettes(square(kPoint), "point", 3); }
+TEST(ShadowMap, PointLight) { expectRightAwayFromSilhouettes(square(kPoint), "point", 1); }
 TEST(ShadowMap, DirectionalLight) { expectRightAwayFromSilhouettes(square(kSun), "directional", 1); }
 TEST(ShadowMap, LightInARoomUsesAllSixFaces) { expectRightAwayFromSilhouettes(room(), "room", 6); }
 
-host::Light spotAt(glm::vec4 position, float cone) {
+host::Light spotAt(glm::vec4 position, glm::vec3 axis, float cone) {
     host::Light light;
     light.kind = host::Light::Kind::spot;
     light.homogeneous = position;
-    light.axis = glm::normalize(glm::vec3(-0.1f, -1, 0.05f));
+    light.axis = glm::normalize(axis);
     light.outerCone = cone;
     return light;
 }
 
+/// The ground is not parallel to the map: a light at infinity, and a spot that looks aslant.
+std::vector<Stage> slanting() {
+    std::vector<Stage> result{square(kPoint), square(kSun)};
+    result[0].lights = {spotAt(kPoint, {-0.6f, -1, -0.4f}, 1.1f)};
+    return result;
+}
+
 TEST(ShadowMap, SpotLightAnswersOutsideOfItsConeToo) {
     Stage stage = square(kPoint);
-    stage.lights = {spotAt(kPoint, 0.3f)};
-    expectRightAwayFromSilhouettes(stage, "spot", 4);
+    stage.lights = {spotAt(kPoint, {-0.1f, -1, 0.05f}, 0.3f)};
+    expectRightAwayFromSilhouettes(stage, "spot", 2);
 }
 
 TEST(ShadowMap, ASampleBehindEveryCasterOrBesideThemAll) {
     for (const glm::vec4 light : {kPoint, kSun}) {
         Stage stage = square(light);
-        stage.scene.triangles.erase(stage.scene.triangles.begin(), stage.scene.triangles.begin() + 2);  // the ground casts no more: samples lie beyond every caster
+        stage.scene.triangles.erase(stage.scene.triangles.begin(),
+                                    stage.scene.triangles.begin() + 2);  // the ground casts no more: samples lie beyond every caster
         for (host::OracleSample& s : stage.scene.samples) s.own = host::kNoCaster;
         const host::OracleAnswer answer = test::ask(stage.scene);
         const std::vector<uint8_t> near = nearSilhouette(stage, answer, 3 * texel(512));
-        for (const char* fit : {"fit=uniform", "fit=focused"}) EXPECT_EQ(tally(stage, shoot(stage, {"map=512", fit}), answer, near).wrongFar, 0u) << fit << " " << light.w;
+        for (const char* fit : {"fit=uniform", "fit=focused"})
+            EXPECT_EQ(tally(stage, shoot(stage, {"map=512", fit}), answer, near).wrongFar, 0u) << fit << " " << light.w;
     }
 }
 
 TEST(ShadowMap, WithoutBiasSurfacesDarkenThemselves) {
-    for (const glm::vec4 light : {kPoint, kSun}) {
-        const Stage stage = square(light);
+    for (const Stage& stage : slanting()) {
         const host::OracleAnswer answer = test::ask(stage.scene);
         const std::vector<uint8_t> near = nearSilhouette(stage, answer, 3 * texel(512));
         const Tally none = tally(stage, shoot(stage, {"map=512", "bias=0", "constant_bias=0"}), answer, near);
         const Tally slope = tally(stage, shoot(stage, {"map=512", "bias=1.25", "constant_bias=0"}), answer, near);
         const Tally constant = tally(stage, shoot(stage, {"map=512", "bias=0", "constant_bias=2"}), answer, near);
-        std::printf("light w %g: away from silhouettes %llu wrong without bias, %llu with bias 1.25, %llu with constant bias 2\n", light.w, (unsigned long long)none.wrongFar,
-                    (unsigned long long)slope.wrongFar, (unsigned long long)constant.wrongFar);
+        std::printf("light w %g: away from silhouettes %llu wrong without bias, %llu with bias 1.25, %llu with constant bias 2\n",
+                    stage.scene.light.w, (unsigned long long)none.wrongFar, (unsigned long long)slope.wrongFar,
+                    (unsigned long long)constant.wrongFar);
         EXPECT_GT(none.falseDark, near.size() / 10);
         EXPECT_EQ(slope.wrongFar, 0u) << "a texel and a quarter is enough for a plane";
         EXPECT_EQ(constant.wrongFar, 0u) << "so is a constant one of two texels, on slopes below 45 degrees";
@@ -196,15 +207,14 @@ TEST(ShadowMap, WithoutBiasSurfacesDarkenThemselves) {
 }
 
 TEST(ShadowMap, TooMuchBiasLeaks) {
-    for (const glm::vec4 light : {kPoint, kSun}) {
-        const Stage stage = square(light);
+    for (const Stage& stage : slanting()) {
         const host::OracleAnswer answer = test::ask(stage.scene);
         const std::vector<uint8_t> near = nearSilhouette(stage, answer, 3 * texel(512));
         const Tally usual = tally(stage, shoot(stage, {"map=512"}), answer, near);
         const Tally slope = tally(stage, shoot(stage, {"map=512", "bias=64"}), answer, near);
         const Tally constant = tally(stage, shoot(stage, {"map=512", "constant_bias=64"}), answer, near);
-        std::printf("light w %g: leaks %llu by default, %llu with bias 64, %llu with constant bias 64\n", light.w, (unsigned long long)usual.leaks,
-                    (unsigned long long)slope.leaks, (unsigned long long)constant.leaks);
+        std::printf("light w %g: leaks %llu by default, %llu with bias 64, %llu with constant bias 64\n", stage.scene.light.w,
+                    (unsigned long long)usual.leaks, (unsigned long long)slope.leaks, (unsigned long long)constant.leaks);
         for (const Tally& much : {slope, constant}) {
             EXPECT_GT(much.leaks, 2 * usual.leaks);
             EXPECT_GT(much.wrongFar, 0u) << "the wall's shadow parts from the wall";
@@ -213,9 +223,8 @@ TEST(ShadowMap, TooMuchBiasLeaks) {
 }
 
 TEST(ShadowMap, MoreBiasNeverMeansMoreDarkSamples) {
-    for (const glm::vec4 light : {kPoint, kSun})
+    for (const Stage& stage : slanting())
         for (const std::string key : {"bias=", "constant_bias="}) {
-            const Stage stage = square(light);
             uint64_t before = ~0ull;
             for (const char* value : {"0", "0.5", "1", "4", "16", "64"}) {
                 const auto mask = shoot(stage, {"map=512", key + value}).visibility;
@@ -236,7 +245,9 @@ TEST(ShadowMap, CulledAndEdgeOnCastersAreNotDrawn) {
     const auto all = stage.scene.triangles.size();
     const uint64_t edgeOn = 8;  // the wall's sides
     EXPECT_EQ(counter(shoot(stage, {"map=512"}), "triangles_drawn"), all - edgeOn);
-    EXPECT_EQ(counter(shoot(stage, {"map=512", "faces=front"}), "triangles_drawn") + counter(shoot(stage, {"map=512", "faces=back"}), "triangles_drawn"), all - edgeOn);
+    EXPECT_EQ(
+        counter(shoot(stage, {"map=512", "faces=front"}), "triangles_drawn") + counter(shoot(stage, {"map=512", "faces=back"}), "triangles_drawn"),
+        all - edgeOn);
 
     stage.scene.closed.assign(all, 1);
     stage.scene.cull = host::Cull::front;  // ground, square, the wall's top
@@ -244,13 +255,13 @@ TEST(ShadowMap, CulledAndEdgeOnCastersAreNotDrawn) {
     EXPECT_EQ(counter(culled, "triangles_drawn"), 2u);
     const host::OracleAnswer answer = test::ask(stage.scene);
     const std::vector<uint8_t> near = nearSilhouette(stage, answer, 3 * texel(512));
-    for (size_t i = 0; i < near.size(); ++i)
-        if (!near[i]) ASSERT_EQ(culled.visibility[i], answer.inShadow[i] ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT) << i;
+    EXPECT_EQ(tally(stage, culled, answer, near).wrongFar, 0u);
 }
 
 TEST(ShadowMap, FacesAreThoseTheLightSees) {
     const Stage stage = square(kSun);
-    const auto both = shoot(stage, {"map=512"}).visibility, front = shoot(stage, {"map=512", "faces=front"}).visibility, back = shoot(stage, {"map=512", "faces=back"}).visibility;
+    const auto both = shoot(stage, {"map=512"}).visibility, front = shoot(stage, {"map=512", "faces=front"}).visibility,
+               back = shoot(stage, {"map=512", "faces=back"}).visibility;
     EXPECT_EQ(front, both) << "what is nearest to the light faces it, but where bias is in play";
     const auto dark = [](const std::vector<uint32_t>& mask) { return std::count(mask.begin(), mask.end(), GNO_VISIBILITY_SHADOW); };
     EXPECT_LT(dark(back), dark(both)) << "the square is a sheet: its front alone casts";
@@ -275,8 +286,8 @@ TEST(ShadowMap, NothingToDo) {
 
 /// A shipped scene: more texels and fitted views make fewer samples wrong.
 TEST(ShadowMap, MoreTexelsAndFittedViewsAreBetter) {
-    const host::Frame frame = host::SceneFile::load("scenes/table_fan/table_fan.glb").evaluate(0, 0);
-    host::FrameInputs inputs(test::passes(), frame, 160, 160);
+    const host::Frame frame = host::SceneFile::load("scenes/show_garden.glb").evaluate(0, 0);
+    host::FrameInputs inputs(test::passes(), frame, 128, 128);
     host::Technique& technique = host::techniqueByName("shadow-map");
     for (size_t light = 0; light < 2; ++light) {
         inputs.setLight(frame.lights.at(light).homogeneous, host::Cull::none);
@@ -286,17 +297,22 @@ TEST(ShadowMap, MoreTexelsAndFittedViewsAreBetter) {
         const host::OracleAnswer answer = host::makeOracle()->ask({frame.triangles, {}, inputs.light(), samples}, [](double) {});
         const auto wrong = [&](const Strings& settings) {
             host::StructureCache structures;
-            const auto mask = technique.run(inputs, structures, host::Settings(technique.info().settings, settings), {host::Precision::published, 1, false, false, false}).visibility;
+            const auto mask = technique
+                                  .run(inputs, structures, host::Settings(technique.info().settings, settings),
+                                       {host::Precision::published, 1, false, false, false})
+                                  .visibility;
             uint64_t sum = 0;
             size_t sample = 0;
             for (size_t i = 0; i < mask.size(); ++i)
-                if (inputs.pixels()[i].own <= GNO_NO_CASTER) sum += mask[i] != (answer.inShadow[sample++] ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT);
+                if (inputs.pixels()[i].own <= GNO_NO_CASTER)
+                    sum += mask[i] != (answer.inShadow[sample++] ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT);
             return sum;
         };
         uint64_t coarser = ~0ull;
-        for (const char* map : {"512", "1024", "2048", "4096"}) {
+        for (const char* map : {"512", "2048", "4096"}) {
             const uint64_t uniform = wrong({std::string("map=") + map, "fit=uniform"}), focused = wrong({std::string("map=") + map, "fit=focused"});
-            std::printf("table_fan, light %zu, map %s: %llu wrong uniform, %llu focused, of %zu\n", light, map, (unsigned long long)uniform, (unsigned long long)focused, samples.size());
+            std::printf("show_garden, light %zu, map %s: %llu wrong uniform, %llu focused, of %zu\n", light, map, (unsigned long long)uniform,
+                        (unsigned long long)focused, samples.size());
             EXPECT_LE(focused, uniform) << map;
             EXPECT_LT(focused, coarser) << map;
             EXPECT_GT(focused, 0u) << "a shadow map without an error: is it compared at all?";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// glsl/shadow_map/view.h, project.glsl and fit.glsl, compiled as C++, against long double: projections, depths, bias, bounds; and the host's choice of views.
+// glsl/shadow_map/view.h, project.glsl and fit.glsl, compiled as C++, against long double: projections, depths, bias, bounds; and the host's choice
+// of views.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -74,7 +75,8 @@ std::vector<host::ShadowFrustum> kinds() {
     prism.far = 0.75f;
     host::ShadowFrustum cut = host::shadowFrusta({}, vec4(0, 0, 0, 1)).at(3);
     cut.rect = vec4(-0.125f, 0.75f, 0.25f, 0.5f);
-    return {host::shadowFrusta({}, vec4(0, 0, 0, 1)).at(0), cut, host::shadowFrusta(frameWith({spot(vec3(0.6f, -0.8f, 0), 0.5f)}), spot({}, 0).homogeneous).at(0), prism};
+    return {host::shadowFrusta({}, vec4(0, 0, 0, 1)).at(0), cut,
+            host::shadowFrusta(frameWith({spot(vec3(0.6f, -0.8f, 0), 0.5f)}), spot({}, 0).homogeneous).at(0), prism};
 }
 
 TEST(ShadowMapView, TexelsAndDepthsAreTheDefinitions) {
@@ -99,7 +101,8 @@ TEST(ShadowMapView, TexelsAndDepthsAreTheDefinitions) {
             const uvec2 texel = gnoShadowMapTexel(clip, kSize);
             ASSERT_NEAR(double(at[0] * kSize), texel.x + 0.5, 0.5 + double(off * kSize));
             ASSERT_NEAR(double(at[1] * kSize), texel.y + 0.5, 0.5 + double(off * kSize));
-            const Real depth = f.perspective ? Real(GNO_SHADOW_MAP_NEAR) / w : std::max(Real(0), (f.far - dotOf(f.forward, q)) / (Real(f.far) - f.near));
+            const Real depth =
+                f.perspective ? Real(GNO_SHADOW_MAP_NEAR) / w : std::max(Real(0), (f.far - dotOf(f.forward, q)) / (Real(f.far) - f.near));
             ASSERT_NEAR(double(gnoShadowMapDepth(view, clip)), double(depth), double(depth) * 1e-6 + (f.perspective ? 0 : 1e-6));
         }
         EXPECT_GT(inside, 100);
@@ -158,7 +161,8 @@ TEST(ShadowMapFit, HoldsEverySampleAndLittleMore) {
             const vec2 middle((f.rect.x + f.rect.y) / 2, (f.rect.z + f.rect.w) / 2);
             const vec3 at = f.forward * 0.5f + (f.right * middle.x + f.down * middle.y) * (f.perspective ? 0.5f : 1.0f);
             std::vector<vec3> samples;
-            for (int i = 0; i < 100; ++i) samples.push_back(at + (f.right * float(random.real(-half, half)) + f.down * float(random.real(-half, half))) * 0.2f);
+            for (int i = 0; i < 100; ++i)
+                samples.push_back(at + (f.right * float(random.real(-half, half)) + f.down * float(random.real(-half, half))) * 0.2f);
             std::array<Real, 4> need{2, -1, 2, -1};
             for (const vec3& p : samples) {
                 gnoShadowMapMeasure(GnoViewSample{p, GNO_NO_CASTER});
@@ -179,7 +183,8 @@ TEST(ShadowMapFit, HoldsEverySampleAndLittleMore) {
 TEST(ShadowMapFit, EveryPositionHasAView) {
     Random random;
     const host::Light cone = spot(vec3(0, -1, 0), 0.4f);
-    const std::vector<std::pair<host::Frame, vec4>> lights{{{}, vec4(0.25f, -0.5f, 0.125f, 1)}, {frameWith({cone}), cone.homogeneous}, {{}, vec4(0.5f, 1, -0.25f, 0)}};
+    const std::vector<std::pair<host::Frame, vec4>> lights{
+        {{}, vec4(0.25f, -0.5f, 0.125f, 1)}, {frameWith({cone}), cone.homogeneous}, {{}, vec4(0.5f, 1, -0.25f, 0)}};
     for (const auto& [frame, light] : lights) {
         const auto frusta = host::shadowFrusta(frame, light);
         gLight = light;
@@ -215,7 +220,8 @@ TEST(ShadowMapFit, ViewsWithoutSamplesAreNotDrawn) {
 TEST(ShadowMapFit, APrismReachesFromTheFirstCasterToTheLast) {
     const auto frusta = host::shadowFrusta({}, vec4(0, 1, 0, 0));
     ASSERT_EQ(frusta.size(), 1u);
-    const std::vector<host::Triangle> casters{{{-0.5f, 0.75f, 0}, {-0.25f, 0.75f, 0}, {-0.5f, 0.75f, 0.25f}}, {{0, -0.5f, 0}, {0.5f, -0.5f, 0}, {0, -0.5f, -0.125f}}};
+    const std::vector<host::Triangle> casters{{{-0.5f, 0.75f, 0}, {-0.25f, 0.75f, 0}, {-0.5f, 0.75f, 0.25f}},
+                                              {{0, -0.5f, 0}, {0.5f, -0.5f, 0}, {0, -0.5f, -0.125f}}};
     const std::vector<uint32_t> measured{1u << 23, 1u << 23, 1u << 23, 1u << 23};
     for (const bool focused : {false, true}) {
         const auto fitted = host::fitShadowFrusta(frusta, measured, casters, focused);
