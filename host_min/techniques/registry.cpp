@@ -7,6 +7,7 @@
 #include "host_min/error.hpp"
 #include "host_min/techniques/clusters.hpp"
 #include "host_min/techniques/ray_query.hpp"
+#include "host_min/techniques/shadow_map.hpp"
 #include "host_min/techniques/technique.hpp"
 #include "host_min/techniques/top.hpp"
 
@@ -18,6 +19,7 @@ const std::vector<std::unique_ptr<Technique>>& techniques() {
         for (const TopQuery query : {TopQuery::psv, TopQuery::dPsv, TopQuery::dStackless, TopQuery::dHybrid}) made.push_back(makeTopTechnique(query));
         made.push_back(makeClusterTechnique(false));
         made.push_back(makeClusterTechnique(true));
+        made.push_back(makeShadowMapTechnique());
         made.push_back(makeRayQueryTechnique());
         return made;
     }();
@@ -37,7 +39,6 @@ const std::vector<std::pair<std::string, std::string>>& plannedTechniques() {
         {"zp+", "stencil shadow volumes, ZP+"},
         {"++zp", "stencil shadow volumes, ++ZP"},
         {"atomic-zp", "stencil shadow volumes, AtomicZP 2019"},
-        {"shadow-map", "shadow maps, with caster culling of 2011"},
         {"forest", "a cube map of small TOP trees"},
         {"light-bvh", "light-space bounding volume hierarchy"},
         {"light-grid", "caster lists by light direction"}};

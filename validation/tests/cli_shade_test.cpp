@@ -354,7 +354,7 @@ TEST(Tell, Techniques) {
     expectDone(outcome);
     for (const std::string& technique : kAll) EXPECT_NE(outcome.out.find("\n" + technique + " "), std::string::npos) << technique;
     for (const char* part :
-         {"not in this build yet", "shadow-map", "--set stack=1..64", "--set cull=none|front|hull|all", "default 12", "default 32"})
+         {"not in this build yet", "\nshadow-map ", "--set stack=1..64", "--set bias=0.0..64.0", "--set map=512..8192", "--set cull=none|front|hull|all", "default 12", "default 32"})
         EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
 }
 
