@@ -9,3 +9,9 @@ foreach(part sweep stop plan bad_input)
     GNOMON_SCENES_DIR="${PROJECT_SOURCE_DIR}/scenes" GNOMON_PARALLEL="${GNOMON_PARALLEL}")
   add_dependencies(study_${part}_test gnomon-study gnomon)
 endforeach()
+
+# Every technique and precision of the registry, from an empty folder, with the validation layer on.
+set(folder ${CMAKE_CURRENT_BINARY_DIR}/study_tiny)
+add_test(NAME study_tiny COMMAND sh -c "rm -rf '${folder}' && exec '$<TARGET_FILE:gnomon-study>' short --tiny --results '${folder}/results.jsonl'"
+  WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+set_tests_properties(study_tiny PROPERTIES TIMEOUT 300 LABELS device ENVIRONMENT "GNOMON_VALIDATE=1")
