@@ -11,7 +11,7 @@ gnomon_packages=(
   libopenexr-dev libcli11-dev libfmt-dev
   libgtest-dev libbenchmark-dev libcgal-dev libgmp-dev libmpfr-dev libembree-dev libtbb-dev
   libvtk9-dev xvfb xauth
-  chromium chromium-driver python3-selenium fonts-dejavu-core
+  chromium chromium-driver python3-selenium fonts-dejavu-core parallel
 )
 gnomon_oldest_mesa=24.1   # before it, lavapipe gives silently wrong results (README, "Driver")
 

@@ -42,6 +42,8 @@ int writeAll(int file, std::string_view text) {
 std::string lineOf(const Row& row) { return row.dump(-1, ' ', false, Row::error_handler_t::replace) + "\n"; }
 
 ReadResults readResults(const fs::path& path) {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) throw host::InputError(fmt::format("cannot read '{}': it is a folder", path.string()));
     std::ifstream file(path, std::ios::binary);
     std::stringstream stream;
     if (!file || (stream << file.rdbuf(), file.bad())) throw host::InputError(fmt::format("cannot read '{}': {}", path.string(), reason(errno)));
