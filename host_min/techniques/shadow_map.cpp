@@ -15,13 +15,6 @@ namespace {
 
 constexpr uint32_t kPoison = 0xDEADBEEFu;  // a shader that writes nothing must not look right
 
-/// The push block of glsl/shadow_map/examples/depth.vert.
-struct DrawPush {
-    glm::vec4 light;
-    uint32_t view, faces;
-};
-static_assert(sizeof(DrawPush) == 24);
-
 uint32_t facesByName(const std::string& word) {
     return word == "back" ? GNO_SHADOW_MAP_BACK : word == "front" ? GNO_SHADOW_MAP_FRONT : GNO_SHADOW_MAP_BOTH;
 }
@@ -137,10 +130,10 @@ private:
 
     static void draw(Recording& recording, const FrameInputs& inputs, const Buffer& views, const Image& map, uint32_t view,
                      const Settings& settings) {
-        const RasterPass& pass = inputs.passes().raster("shadow_map/examples/depth.vert", "", {}, true);
+        const RasterPass& pass = inputs.passes().raster("shadow_map/examples/depth.vert", "", {}, true, {{0, facesByName(settings.word("faces"))}});
         const std::array resources{Binding{"gnoCasters", &inputs.casters()}, Binding{"gnoStates", &inputs.states()},
                                    Binding{"gnoShadowMapViews", &views}};
-        const DrawPush push{inputs.light(), view, facesByName(settings.word("faces"))};
+        const ExamplePush push = inputs.push();
         pass.drawDepth(recording, map, view, -float(settings.real("bias")), resources, std::as_bytes(std::span(&push, 1)),
                        3 * inputs.triangleCount());
     }

@@ -179,7 +179,7 @@ void RasterPass::draw(Recording& recording, std::span<const Target> colors, cons
                                                       vk::ClearValue(vk::ClearDepthStencilValue(0.0f, 0)));
         rendering.pDepthAttachment = &depthAttachment;
     }
-    drawInto(recording, rendering, 0, resources, push, vertices);
+    drawInto(recording, rendering, 0, resources, push, vertices, 0);
 }
 
 void RasterPass::drawDepth(Recording& recording, const Image& depth, uint32_t layer, float slopeBias, std::span<const Binding> resources,
@@ -189,11 +189,11 @@ void RasterPass::drawDepth(Recording& recording, const Image& depth, uint32_t la
                                                  vk::ClearValue(vk::ClearDepthStencilValue(0.0f, 0)));
     vk::RenderingInfo rendering({}, vk::Rect2D({0, 0}, depth.extent()), 1, 0);
     rendering.pDepthAttachment = &attachment;
-    drawInto(recording, rendering, slopeBias, resources, push, vertices);
+    drawInto(recording, rendering, slopeBias, resources, push, vertices, layer);
 }
 
 void RasterPass::drawInto(Recording& recording, const vk::RenderingInfo& rendering, float slopeBias, std::span<const Binding> resources,
-                          std::span<const std::byte> push, uint32_t vertices) const {
+                          std::span<const std::byte> push, uint32_t vertices, uint32_t instance) const {
     const vk::Extent2D extent = rendering.renderArea.extent;
     const vk::CommandBuffer commands = recording.commands();
     commands.beginRendering(rendering);
@@ -202,7 +202,7 @@ void RasterPass::drawInto(Recording& recording, const vk::RenderingInfo& renderi
     commands.setScissor(0, vk::Rect2D({0, 0}, extent));
     if (depthOnly_) commands.setDepthBias(0, 0, slopeBias);
     layout_.bind(recording, vk::PipelineBindPoint::eGraphics, resources, push);
-    commands.draw(vertices, 1, 0, 0);
+    commands.draw(vertices, 1, 0, instance);
     commands.endRendering();
 }
 

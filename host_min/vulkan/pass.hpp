@@ -71,14 +71,14 @@ public:
     /// Clears the attachments (in the general layout) and draws `vertices` vertices.
     void draw(Recording& recording, std::span<const Target> colors, const Image* depth, std::span<const Binding> resources, std::span<const std::byte> push,
               uint32_t vertices) const;
-    /// Without a fragment shader: clears one layer of a depth array (in the general layout) and draws into it. `slopeBias` is Vulkan's
-    /// depthBiasSlopeFactor.
+    /// Without a fragment shader: clears one layer of a depth array (in the general layout) and draws into it; the instance index is the layer's.
+    /// `slopeBias` is Vulkan's depthBiasSlopeFactor.
     void drawDepth(Recording& recording, const Image& depth, uint32_t layer, float slopeBias, std::span<const Binding> resources,
                    std::span<const std::byte> push, uint32_t vertices) const;
 
 private:
     void drawInto(Recording& recording, const vk::RenderingInfo& rendering, float slopeBias, std::span<const Binding> resources,
-                  std::span<const std::byte> push, uint32_t vertices) const;
+                  std::span<const std::byte> push, uint32_t vertices, uint32_t instance) const;
 
     PassLayout layout_;
     vk::raii::Pipeline pipeline_{nullptr};
