@@ -163,6 +163,9 @@ void viewClusters(const Options& options) {
     if (options.dumps.size() > 1) throw host::InputError("clusters: one dump at a time");
     const Dump dump = Dump::load(options.dumps.front());
     const ClusterTree tree = ClusterTree::read(dump);
+    if (tree.nodes.size() != dump.counter("occupied_nodes"))
+        throw host::InputError(fmt::format("{}: {} nodes are occupied, and the record counted {}: a part of the dump is damaged, or of another run", dump.name(),
+                                           tree.nodes.size(), dump.counter("occupied_nodes")));
     const std::vector<Corners> corners = cornersOf(dump);
     const auto table = tableOf(dump, tree, options.color);
     PictureSize size = options.size;

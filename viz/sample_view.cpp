@@ -55,14 +55,16 @@ vtkSmartPointer<vtkPolyData> pointMesh(const Dump& dump, const WrongSamples& wro
 /// From an edge of a caster away from the light, as far as the farthest sample that it decided; a caster's own plane is the caster. Cell arrays: caster, plane, samples.
 vtkSmartPointer<vtkPolyData> planeMesh(const Dump& dump, const WrongSamples& wrong, std::span<const Corners> corners) {
     struct Use {
-        double reach = 0;
+        double reach = -1e30;  ///< depth of the farthest sample, away from the light
         uint32_t samples = 0;
     };
     std::map<std::pair<uint32_t, uint32_t>, Use> uses;
     const glm::dvec4 light(dump.light());
+    const auto awayAt = [&](glm::dvec3 p) { return glm::normalize(light.w != 0 ? p - glm::dvec3(light) : -glm::dvec3(light)); };
+    const auto depthOf = [&](glm::dvec3 p) { return light.w != 0 ? glm::length(p - glm::dvec3(light)) : glm::dot(p, awayAt(p)); };
     for (const WrongSample& sample : wrong.samples) {
         Use& use = uses[{sample.caster, sample.plane}];
-        for (const glm::vec3& corner : corners[sample.caster]) use.reach = std::max(use.reach, glm::length(glm::dvec3(sample.position) - glm::dvec3(corner)));
+        use.reach = std::max(use.reach, depthOf(glm::dvec3(sample.position)));
         ++use.samples;
     }
     vtkNew<vtkPoints> points;
@@ -74,7 +76,7 @@ vtkSmartPointer<vtkPolyData> planeMesh(const Dump& dump, const WrongSamples& wro
     };
     for (const auto& [which, use] : uses) {
         const Corners& t = corners[which.first];
-        const auto beyond = [&](glm::dvec3 p) { return p + 1.1 * use.reach * glm::normalize(light.w != 0 ? p - glm::dvec3(light) : -glm::dvec3(light)); };
+        const auto beyond = [&](glm::dvec3 p) { return p + std::max(0.0, use.reach - depthOf(p)) * awayAt(p); };
         if (which.second == 3) {
             cells->InsertNextCell(3);
             for (const glm::vec3& corner : t) add(glm::dvec3(corner));
@@ -124,8 +126,8 @@ struct Meshes {
 void draw(vtkRenderer& panel, const Dump& dump, const Meshes& meshes, std::span<const Corners> corners, const std::string& color, vtkLookupTable& table) {
     addScene(panel, dump, corners, 0.3);
     if (meshes.points->GetNumberOfPoints() == 0) return;
-    addMesh(panel, *meshes.planes, {.colour = kYellow, .opacity = 0.25, .lit = false});
-    addMesh(panel, *meshes.casters, {.colour = kOrange, .edges = 1.2});
+    addMesh(panel, *meshes.planes, {.colour = kYellow, .opacity = 0.16, .lit = false});
+    addMesh(panel, *meshes.casters, {.colour = kOrange, .opacity = 0.35, .edges = 1.2});
     addMesh(panel, *meshes.points, {.lit = false, .pointSize = 7}, color == "plane" ? "plane" : "error", &table);
 }
 

@@ -176,8 +176,7 @@ std::vector<QueryPath> pathsOf(std::span<const Dump> dumps, const TopTree& tree)
     return paths;
 }
 
-void writePaths(const Options& options, std::span<const Dump> dumps, const TopTree& tree, std::span<const Corners> corners) {
-    const std::vector<QueryPath> paths = pathsOf(dumps, tree);
+void writePaths(const Options& options, std::span<const Dump> dumps, std::span<const QueryPath> paths, std::span<const Corners> corners) {
     for (size_t i = 0; i < paths.size(); ++i) writeFile(options.out / (dumps[i].name() + "-tree-path.vtp"), *pathMesh(dumps[i], paths[i], corners));
     const Dump& dump = dumps.front();
     const std::string title = fmt::format("queries of pixel {}, {} ({}): {}", paths[0].pixel.x, paths[0].pixel.y, paths[0].inShadow ? "in shadow" : "lit", dump.title());
@@ -201,17 +200,21 @@ void viewTree(const Options& options) {
     const Dump& dump = dumps.front();
     const TopTree tree = TopTree::read(dump);
     const std::vector<Corners> corners = cornersOf(dump);
+    const TreeStatistics statistics = statisticsOf(dump, tree);
+    if (statistics.visits != dump.counter("visited_nodes"))
+        throw host::InputError(fmt::format("{}: the visits of the tree's nodes add up to {}, and the record counted {}: a part of the dump is damaged, or of another run",
+                                           dump.name(), statistics.visits, dump.counter("visited_nodes")));
     const size_t drawn = std::min<size_t>(options.limit, tree.volumes.size());
     if (options.interactive) return show(options, dump, tree, corners, drawn);
 
+    const std::vector<QueryPath> paths = dumps.size() > 1 || dump.isTraced() ? pathsOf(dumps, tree) : std::vector<QueryPath>();
     host::makeFolder(options.out);
-    const TreeStatistics statistics = statisticsOf(dump, tree);
     const auto mesh = volumeMesh(dump, tree, drawn);
     writeFile(options.out / (dump.name() + "-tree-volumes.vtp"), *mesh);
     writeFile(options.out / (dump.name() + "-tree-nodes.vtp"), *nodeMesh(dump, tree, corners));
     writeBytes(options.out / (dump.name() + "-tree-statistics.json"), statistics.json().dump(1) + '\n');
     writeBytes(options.out / (dump.name() + "-tree-statistics.png"), drawPng(statisticsFigure(dump, statistics)));
-    if (dumps.size() > 1 || dump.isTraced()) writePaths(options, dumps, tree, corners);
+    if (!paths.empty()) writePaths(options, dumps, paths, corners);
     Picture picture(options.size, "TOP tree: " + dump.title());
     const Coloring coloring = coloringOf(options.color, std::span(tree.volumes).first(drawn));
     addScene(picture.panel(0), dump, corners, 0.25);
