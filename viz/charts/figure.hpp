@@ -55,6 +55,7 @@ struct Axis {
     std::string zeroRow;                                ///< for example "0 = exact"; log only
     std::optional<double> low, high;                    ///< missing: from the data
     std::vector<std::pair<double, std::string>> names;  ///< of values, instead of numbers (bars)
+    double zeroShare = 0.16;                            ///< height of the row for zero, as a share of the decades
 };
 
 struct Panel {

@@ -18,16 +18,32 @@ struct Dot {
     double error;
     std::string note = {};  ///< behind the label
     float lift = 0;         ///< lane in the row of the exact ones
+    bool isBest = false;    ///< of the exact ones of its technique
 };
 
-/// Equal errors of zero side by side: lanes, in the order of time.
-void spreadLanes(std::vector<Dot>& dots) {
-    std::vector<Dot*> exact;
-    for (Dot& dot : dots)
-        if (dot.error == 0) exact.push_back(&dot);
-    std::sort(exact.begin(), exact.end(), [](const Dot* a, const Dot* b) { return a->time.median < b->time.median; });
-    const size_t lanes = std::min<size_t>(exact.size(), 7);
-    for (size_t i = 0; i < exact.size(); ++i) exact[i]->lift = float(std::min(13.0, 70.0 / double(lanes)) * (double(lanes - 1) / 2 - double(i % lanes)));
+constexpr double kLane = 16, kPlotHeight = 540;  // pixels of the page
+constexpr size_t kMostLanes = 12;
+
+/// In the row of the exact ones each technique has a lane of its own, the fastest on top. Returns the share of the decades that the row needs.
+double spreadLanes(std::vector<Dot>& dots) {
+    std::map<std::string, double> fastest;
+    for (const Dot& dot : dots)
+        if (dot.error == 0) {
+            double& time = fastest.try_emplace(dot.variant->technique, dot.time.median).first->second;
+            time = std::min(time, dot.time.median);
+        }
+    std::vector<std::string> order;
+    for (const auto& [technique, time] : fastest) order.push_back(technique);
+    std::sort(order.begin(), order.end(), [&](const std::string& x, const std::string& y) { return fastest[x] < fastest[y]; });
+    const size_t lanes = std::clamp<size_t>(order.size(), 1, kMostLanes);
+    for (Dot& dot : dots) {
+        if (dot.error != 0) continue;
+        const size_t lane = size_t(std::find(order.begin(), order.end(), dot.variant->technique) - order.begin()) % lanes;
+        dot.lift = float(kLane * (double(lanes - 1) / 2 - double(lane)));
+        dot.isBest = dot.time.median == fastest[dot.variant->technique];
+    }
+    const double band = (kLane * double(lanes) + 20) / kPlotHeight;  // 1.2 of 1 + 1.6 shares, as viz/charts/scale.cpp has it
+    return band / (1.2 - 1.6 * band);
 }
 
 /// The settings other than `name`, as text: dots of one technique and precision that agree in it lie on one curve.
@@ -89,21 +105,21 @@ void addFront(viz::Panel& panel, const std::vector<Dot>& dots) {
         isLabelled.insert(own[i]);
     }
     for (const Dot& dot : dots)
-        if (dot.variant->peer || dot.error == 0 || isLabelled.contains(&dot)) {
-            const std::string text = dot.error == 0 && !dot.variant->peer ? dot.variant->label() : fmt::format("{} ({})", dot.variant->label(), dot.variant->precision);
+        if ((dot.variant->peer && dot.error > 0) || dot.isBest || isLabelled.contains(&dot)) {
+            const std::string text = dot.error == 0 && dot.variant->precision == "certified" ? dot.variant->label() : fmt::format("{} ({})", dot.variant->label(), dot.variant->precision);
             labels.points.push_back({dot.time.median, dot.error, text + dot.note, dot.lift});
         }
     panel.series.insert(panel.series.begin(), std::move(front));
     panel.series.push_back(std::move(labels));
 }
 
-viz::Figure errorTime(const Study& study, const Looks& looks, const std::vector<Dot>& dots, const std::string& errorTitle) {
+viz::Figure errorTime(const Study& study, const Looks& looks, const std::vector<Dot>& dots, double zeroShare, const std::string& errorTitle) {
     viz::Figure figure;
     figure.width = 1100;
     figure.height = 680;
     viz::Panel panel;
     panel.x = {"time as a ratio to a bare full-screen pass (median; whiskers: spread)", true, {}, {}, {}, {}};
-    panel.y = {errorTitle, true, "0 = exact", {}, {}, {}};
+    panel.y = {errorTitle, true, "0 = exact", {}, {}, {}, zeroShare};
     panel.series = seriesOf(dots, looks);
     addFront(panel, dots);
     figure.panels.push_back(std::move(panel));
@@ -133,8 +149,8 @@ std::vector<NamedFigure> errorTimeFigures(const Study& study, const Looks& looks
         for (const Variant& variant : setup.variants)
             if (variant.isChecked()) dots.push_back({&variant, variant.time, variant.wrongPerMillion()});
         if (dots.empty()) continue;
-        spreadLanes(dots);
-        viz::Figure figure = errorTime(study, looks, dots, "wrong samples per million");
+        const double zeroShare = spreadLanes(dots);
+        viz::Figure figure = errorTime(study, looks, dots, zeroShare, "wrong samples per million");
         figure.title = fmt::format("Error against time: {}", setup.title);
         figure.subtitle = provenance(study, fmt::format("{}x{}", setup.size[0], setup.size[1]));
         std::string caption = fmt::format("{} casters, {} frame{}. Left is faster, lower is more right; a curve joins the values of one setting.", setup.casters,
@@ -160,19 +176,20 @@ NamedFigure overviewFigure(const Study& study, const Looks& looks) {
     std::vector<Dot> dots;
     for (const auto& [key, variants] : byKey) {
         if (2 * variants.size() < setups) continue;  // a setting tried on few scenes says nothing about all
-        std::vector<double> times;
+        std::array<std::vector<double>, 3> times;
         double worst = 0;
         for (const Variant* variant : variants) {
-            times.push_back(variant->time.median);
+            times[0].push_back(variant->time.median);
+            times[1].push_back(variant->time.low);
+            times[2].push_back(variant->time.high);
             worst = std::max(worst, variant->wrongPerMillion());
         }
-        const auto [least, greatest] = std::minmax_element(times.begin(), times.end());
-        dots.push_back({variants.front(), {geometricMean(times), *least, *greatest}, worst,
+        dots.push_back({variants.front(), {geometricMean(times[0]), geometricMean(times[1]), geometricMean(times[2])}, worst,
                         variants.size() < setups ? fmt::format(" ({} of {} scenes)", variants.size(), setups) : ""});
     }
-    spreadLanes(dots);
-    viz::Figure figure = errorTime(study, looks, dots, "wrong samples per million, worst scene and light");
-    figure.panels[0].x.title = "time as a ratio to a bare full-screen pass (geometric mean; whiskers: lightest and heaviest scene)";
+    const double zeroShare = spreadLanes(dots);
+    viz::Figure figure = errorTime(study, looks, dots, zeroShare, "wrong samples per million, worst scene and light");
+    figure.panels[0].x.title = "time as a ratio to a bare full-screen pass (geometric mean over scenes; whiskers: spread of the repeats)";
     figure.title = fmt::format("What accuracy costs: {} scene{}, error against time", setups, setups == 1 ? "" : "s and lights");
     figure.subtitle = provenance(study, study.sizes());
     return {"overview", "overview", "Every technique and setting that was measured on at least half of the scenes and lights. Left is faster, lower is more right; the lowest row is exact.",

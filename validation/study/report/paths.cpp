@@ -63,7 +63,7 @@ viz::Figure single(const Study& study, const Setup& setup, viz::Panel panel, con
     return figure;
 }
 
-/// Time of every pass of one technique along the path, as a ratio to the bare pass of the same repeat.
+/// Time of every pass of one technique along the path, as a ratio to the bare pass.
 viz::Panel stagesOf(const Curve& curve) {
     std::vector<std::string> names;
     for (const auto& [frame, row] : curve)
@@ -80,7 +80,7 @@ viz::Panel stagesOf(const Curve& curve) {
         for (const auto& [frame, row] : curve)
             for (const TimedPass& pass : row->passes) {
                 if (pass.name != names[i]) continue;
-                const Spread value = spreadOf(ratios(pass.ms, row->floorMs));
+                const Spread value = spreadOf(row->toFloor(pass.ms));
                 values.push_back(value.median);
                 series.points.push_back({double(frame), {value.median, value.low, value.high}, {}});
             }
@@ -95,17 +95,21 @@ viz::Panel stagesOf(const Curve& curve) {
 
 std::vector<NamedFigure> pathFigures(const Study& study, const Looks& looks) {
     std::vector<NamedFigure> figures;
-    for (const Setup& setup : study.setups) {
+    std::vector<const Setup*> all;  // a path may be measured at a size of its own
+    for (const auto* setups : {&study.setups, &study.others})
+        for (const Setup& setup : *setups) all.push_back(&setup);
+    for (const Setup* measured : all) {
+        const Setup& setup = *measured;
         const auto curves = curvesOf(setup);
         if (curves.empty()) continue;
         const auto add = [&](const std::string& file, const std::string& caption, viz::Figure figure) {
-            if (!figure.panels[0].series.empty()) figures.push_back({fmt::format("path-{}-{}", setup.slug, file), "paths", caption, std::move(figure)});
+            if (!figure.panels[0].series.empty()) figures.push_back({fmt::format("path-{}-{}x{}-{}", setup.slug, setup.size[0], setup.size[1], file), "paths", caption, std::move(figure)});
         };
         const std::string legend = " The legend holds mean and standard deviation over the frames; the band is the spread of the repeats.";
         add("total", "Build and query of each technique at its highest rung." + legend,
-            single(study, setup, panelOf(curves, looks, {}, "time / bare pass", [](const Row& row) { return spreadOf(ratios(row.totalMs, row.floorMs)); }), "Time per frame"));
+            single(study, setup, panelOf(curves, looks, {}, "time / bare pass", [](const Row& row) { return spreadOf(row.toFloor(row.totalMs)); }), "Time per frame"));
         add("query", "The query alone, without what is built for each frame." + legend,
-            single(study, setup, panelOf(curves, looks, {}, "time / bare pass", [](const Row& row) { return spreadOf(ratios(row.queryMs(), row.floorMs)); }),
+            single(study, setup, panelOf(curves, looks, {}, "time / bare pass", [](const Row& row) { return spreadOf(row.toFloor(row.queryMs())); }),
                    "Query time per frame"));
         add("nodes", "Nodes that the queries of a frame visit, per sample." + legend,
             single(study, setup, panelOf(curves, looks, {}, "nodes per sample", [](const Row& row) {

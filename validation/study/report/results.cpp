@@ -10,6 +10,7 @@
 
 #include "host_min/error.hpp"
 #include "host_min/output/record.hpp"
+#include "validation/study/report/statistics.hpp"
 
 namespace gno::report {
 namespace {
@@ -56,6 +57,7 @@ void readMeasurements(const ordered_json& json, Row& row) {
     row.totalMs = times(json.at("total_ms"), "total_ms");
     row.floorMs = times(json.at("floor_ms"), "floor_ms");
     if (row.totalMs.empty() || row.floorMs.empty()) throw NoRow("no repeat was timed");
+    if (!(median(row.floorMs) > 0)) throw NoRow("the bare pass took no time");
     for (const ordered_json& pass : json.at("passes")) row.passes.push_back({pass.at("name"), times(pass.at("ms"), "a pass")});
     row.samples = json.at("samples");
     row.bytes = numbers(json, "bytes");
@@ -106,6 +108,12 @@ uint64_t Row::totalBytes() const {
 uint64_t Row::counter(const std::string& counterName) const {
     const auto found = counters.find(counterName);
     return found == counters.end() ? 0 : found->second;
+}
+
+std::vector<double> Row::toFloor(const std::vector<double>& ms) const {
+    std::vector<double> quotients;
+    for (const double time : ms) quotients.push_back(time / median(floorMs));
+    return quotients;
 }
 
 std::vector<double> Row::queryMs() const {

@@ -41,7 +41,7 @@ void summarise(Variant& variant) {
     std::vector<std::vector<double>> frames;
     size_t repeats = SIZE_MAX;
     for (const Row* row : variant.rows) {
-        frames.push_back(ratios(row->totalMs, row->floorMs));
+        frames.push_back(row->toFloor(row->totalMs));
         repeats = std::min(repeats, frames.back().size());
         variant.bytes = std::max(variant.bytes, row->totalBytes());
         if (!row->check) continue;

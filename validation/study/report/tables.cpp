@@ -75,7 +75,7 @@ Table rowTable(const Study& study) {
             cells.insert(cells.end(), {{"unavailable: " + row.unavailable, {}}, {}, {}, {}, {}, {}, {}, {}});
         } else {
             const bool isChecked = row.check && row.check->checked > 0;
-            cells.insert(cells.end(), {number(median(row.totalMs), "{:.3f}"), spread(spreadOf(ratios(row.totalMs, row.floorMs))),
+            cells.insert(cells.end(), {number(median(row.totalMs), "{:.3f}"), spread(spreadOf(row.toFloor(row.totalMs))),
                                        isChecked ? wrongCell(1e6 * double(row.check->wrong) / double(row.check->checked)) : Cell{"not checked", {}},
                                        isChecked ? whole(row.check->leaks) : Cell{}, isChecked ? whole(row.check->falseDark) : Cell{},
                                        number(row.samples > 0 ? double(row.counter("visited_nodes")) / double(row.samples) : 0, "{:.1f}"), whole(row.counter("test_and_set")),
