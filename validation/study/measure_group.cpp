@@ -100,12 +100,12 @@ void firstRun(Subject& subject, Entry& entry, Row& row, Worst& worst, GroupPictu
         for (const host::SettingInfo& info : host::techniqueByName(variant.technique).info().settings) {
             if (info.key != variant.bestOf) continue;
             entry.bestValue = bestValue(info, [&](const std::string& value) {
-                report(fmt::format("{} {}={}", label, info.key, value));
+                report(fmt::format("{} {}={}", label, info.key, value), 1);
                 return subject.compare(subject.run(variant, value, false), nullptr).wrong;
             });
         }
     }
-    report(label);
+    report(label, 1);
     const host::TechniqueResult result = subject.run(variant, entry.bestValue, true);
     host::Record record = host::makeRecord(subject.inputs(), result);
     std::vector<uint32_t> wrongPixels;
@@ -176,7 +176,7 @@ std::vector<Row> measureGroup(host::PassCache& passes, const host::SceneFile& fi
             if (entries[i].unavailable.empty()) entries[i].unavailable = failureOf([&] { work(entries[i], rows[i]); });
     };
     std::optional<Subject> subject;
-    report("scene");
+    report("scene", 0);
     const std::string failure = failureOf([&] { subject.emplace(passes, file, jobs.group, withSums, report); });
     for (Entry& entry : entries) entry.unavailable = failure;
     std::vector<double> floorMs;
@@ -186,7 +186,7 @@ std::vector<Row> measureGroup(host::PassCache& passes, const host::SceneFile& fi
         for (uint32_t repeat = 0; repeat < jobs.repeat; ++repeat) {
             floorMs.push_back(subject->repeatFloor());
             available([&](Entry& entry, Row&) {
-                report(fmt::format("{} {}, repeat {}", entry.variant->technique, entry.variant->precision, repeat + 1));
+                report(fmt::format("{} {}, repeat {}", entry.variant->technique, entry.variant->precision, repeat + 1), 1);
                 timedRun(*subject, entry);
             });
         }

@@ -30,7 +30,7 @@ Subject::Subject(host::PassCache& passes, const host::SceneFile& file, const Gro
     casters_ = inputs_.definitionCasters();
     samples_ = host::oracleSamples(inputs_);
     const std::unique_ptr<host::Oracle> oracle = host::makeOracle();
-    answer_ = host::askOracle(*oracle, inputs_, withSums && inputs_.hasMaterials(), [&](double) { report("oracle"); });
+    answer_ = host::askOracle(*oracle, inputs_, withSums && inputs_.hasMaterials(), [&](double) { report("oracle", 0); });
     host::measureFloor(inputs_, 1, true);
 }
 

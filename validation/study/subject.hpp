@@ -11,8 +11,8 @@
 
 namespace gno::study {
 
-/// Told now and then what is being done; may throw to stop the work.
-using Report = std::function<void(const std::string&)>;
+/// Told now and then what is being done, and how many runs of a variant begin with it (0 or 1); may throw to stop the work.
+using Report = std::function<void(const std::string&, uint32_t)>;
 
 class Subject {
 public:

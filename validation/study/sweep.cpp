@@ -47,7 +47,7 @@ public:
         const double done = done_ + std::min(inGroup_, ofGroup_), elapsed = std::chrono::duration<double>(Clock::now() - begin_).count();
         bar_.show(fmt::format("{} {}{}", group_, what, done > 0 ? ", " + timeLeft(elapsed * (work_ - done) / done) : ""), done / work_);
     }
-    void countRun() { inGroup_ += perRun_; }
+    void count(uint32_t runs) { inGroup_ += perRun_ * runs; }
     void clear() { bar_.clear(); }
 
 private:
@@ -90,10 +90,10 @@ void runSweep(const std::vector<GroupJobs>& groups, SceneShelf& shelf, const std
             fmt::format("{} f{} l{} {}x{}:", sceneName(jobs.group.scene), jobs.group.frame, jobs.group.light, jobs.group.width, jobs.group.height),
             jobs);
         const std::vector<Row> rows =
-            measureGroup(passes, shelf.load(jobs.group.scene), jobs, run, worst, results.folder(), [&](const std::string& what) {
+            measureGroup(passes, shelf.load(jobs.group.scene), jobs, run, worst, results.folder(), [&](const std::string& what, uint32_t runs) {
                 host::throwIfInterrupted();
                 bar.show(what);
-                bar.countRun();
+                bar.count(runs);
             });
         host::throwIfInterrupted();
         results.append(rows);

@@ -2,6 +2,7 @@
 gnomon_add_test(study_distance_test LIBRARIES gnomon_study_data TIMEOUT 60)
 gnomon_add_test(study_results_test LIBRARIES gnomon_study_data TIMEOUT 60)
 gnomon_add_test(study_expand_test LIBRARIES gnomon_study TIMEOUT 60)
+target_compile_definitions(study_expand_test PRIVATE GNOMON_ROOT="${PROJECT_SOURCE_DIR}")
 find_program(GNOMON_PARALLEL parallel REQUIRED)
 foreach(part sweep stop plan bad_input)
   gnomon_add_test(study_${part}_test LIBRARIES gnomon_study_data nlohmann_json::nlohmann_json TIMEOUT 300)

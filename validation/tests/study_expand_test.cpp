@@ -92,6 +92,7 @@ TEST(Options, FramesAndSizes) {
 
 TEST(Presets, KeysAreUniqueAndNoGroupIsMeasuredTwice) {
     const host::test::TemporaryFolder folder;
+    std::filesystem::current_path(GNOMON_ROOT);  // the presets name the shipped scenes from there
     for (const Preset preset : {Preset::tiny, Preset::shortStudy}) {
         SceneShelf shelf(folder.path());
         std::vector<std::string> leftOut;
