@@ -17,7 +17,8 @@ std::vector<viz::Point> cumulative(const Variant& variant) {
         if (!row->check) continue;
         const CheckedSamples& check = *row->check;
         for (size_t bin = 0; bin < check.distanceFrom.size(); ++bin) {
-            const double end = bin + 1 < check.distanceFrom.size() ? check.distanceFrom[bin + 1] : std::max(check.distanceMax, 2 * check.distanceFrom[bin]);
+            const double from = check.distanceFrom[bin];  // bins double in width, the first goes to 1
+            const double end = bin + 1 < check.distanceFrom.size() ? check.distanceFrom[bin + 1] : std::max({check.distanceMax, 2 * from, 1.0});
             closer[end] += check.distanceCounts[bin];
             all += check.distanceCounts[bin];
         }
