@@ -17,7 +17,8 @@ std::vector<viz::Point> cumulative(const Variant& variant) {
         if (!row->check) continue;
         const CheckedSamples& check = *row->check;
         for (size_t bin = 0; bin < check.distanceFrom.size(); ++bin) {
-            const double end = bin + 1 < check.distanceFrom.size() ? check.distanceFrom[bin + 1] : std::max(check.distanceMax, 2 * check.distanceFrom[bin]);
+            const double from = check.distanceFrom[bin];  // bins double in width, the first goes to 1
+            const double end = bin + 1 < check.distanceFrom.size() ? check.distanceFrom[bin + 1] : std::max({check.distanceMax, 2 * from, 1.0});
             closer[end] += check.distanceCounts[bin];
             all += check.distanceCounts[bin];
         }
@@ -38,13 +39,15 @@ std::vector<NamedFigure> distanceFigures(const Study& study, const Looks& looks)
     std::vector<NamedFigure> figures;
     for (const Setup& setup : study.setups) {
         viz::Panel panel;
-        panel.x = {"closer to a silhouette than ... pixels", true, {}, {}, {}, {}};
+        panel.x = {"closer to a silhouette than ... pixels", true, {}, 0.9, 16.0, {}};
         panel.y = {"share of the wrong samples, %", false, {}, 0.0, 100.0, {}};
         for (const Variant& variant : setup.variants) {
             if (!variant.isChecked() || variant.wrong == 0 || !variant.varied.empty()) continue;
             viz::Series series{looks.of(variant.technique, variant.precision, variant.peer), cumulative(variant),
                                fmt::format("{}: {}", variant.fullName(), variant.wrong)};
-            if (!series.points.empty()) panel.series.push_back(std::move(series));
+            if (series.points.empty()) continue;
+            panel.x.high = std::max(*panel.x.high, 1.1 * series.points.back().x.at);
+            panel.series.push_back(std::move(series));
         }
         if (panel.series.empty()) continue;
         viz::Figure figure;

@@ -27,6 +27,11 @@ std::map<std::string, Curve> curvesOf(const Setup& setup) {
     return curves;
 }
 
+std::string meanAndDeviation(const std::vector<double>& values) {
+    const double middle = mean(values), off = deviation(values);
+    return middle < 100 ? fmt::format("{:.3g} ± {:.2g}", middle, off) : fmt::format("{:.0f} ± {:.0f}", middle, off);
+}
+
 /// Mean and standard deviation over the frames stand in the legend.
 template <class Of>
 viz::Panel panelOf(const std::map<std::string, Curve>& curves, const Looks& looks, const std::string& title, const std::string& unit, Of of) {
@@ -47,7 +52,7 @@ viz::Panel panelOf(const std::map<std::string, Curve>& curves, const Looks& look
         series.look = looks.of(technique, first.precision, first.peer);
         series.look.marker = viz::Marker::none;
         series.band = true;
-        series.legend = fmt::format("{} {}: {:.3g} ± {:.2g}", technique, first.precision, mean(values), deviation(values));
+        series.legend = fmt::format("{} {}: {}", technique, first.precision, meanAndDeviation(values));
         panel.series.push_back(std::move(series));
     }
     return panel;
@@ -85,7 +90,7 @@ viz::Panel stagesOf(const Curve& curve) {
                 series.points.push_back({double(frame), {value.median, value.low, value.high}, {}});
             }
         series.band = true;
-        series.legend = fmt::format("{}: {:.3g} ± {:.2g}", names[i], mean(values), deviation(values));
+        series.legend = fmt::format("{}: {}", names[i], meanAndDeviation(values));
         panel.series.push_back(std::move(series));
     }
     return panel;

@@ -68,10 +68,11 @@ void addExtremes(std::vector<std::string>& lines, const std::vector<Pair>& pairs
 void addSetup(std::vector<std::string>& lines, const Setup& setup) {
     const std::vector<Price> prices = pricesOf(setup);
     const Variant* exact = prices.front().cheapest;
-    const Variant *fastest = nullptr, *search = nullptr;
+    const Variant *fastest = nullptr, *search = nullptr, *certified = nullptr;
     for (const Variant& variant : setup.variants) {
         if (!variant.isChecked() || variant.peer) continue;
         if (fastest == nullptr || variant.time.median < fastest->time.median) fastest = &variant;
+        if (variant.precision == "certified" && (certified == nullptr || variant.time.median < certified->time.median)) certified = &variant;
         if (!variant.bestOf.empty() && (search == nullptr || variant.wrong < search->wrong)) search = &variant;
     }
     if (fastest == nullptr) return;
@@ -79,10 +80,9 @@ void addSetup(std::vector<std::string>& lines, const Setup& setup) {
         lines.push_back(fmt::format("On {} nothing was exact; the fastest, {}, leaves {} wrong.", setup.title, fastest->fullName(), perMillion(fastest->wrongPerMillion())));
         return;
     }
-    std::string line = fmt::format("On {} the cheapest exact answer is {}, at {} of a bare full-screen pass", setup.title, exact->fullName(), times(exact->time));
-    std::vector<std::string> same;
-    for (const Variant* other : prices.front().asGood) same.push_back(other->fullName());
-    if (!same.empty()) line += fmt::format(" (not to be told from it: {})", fmt::join(same, ", "));
+    std::string line = fmt::format("On {} the cheapest without a wrong sample is {}, at {} of a bare full-screen pass", setup.title, exact->fullName(), times(exact->time));
+    if (!prices.front().asGood.empty()) line += fmt::format(" (not to be told from it: {})", namesOf(prices.front().asGood));
+    if (certified != nullptr && certified != exact) line += fmt::format("; the cheapest that promises it, {}, takes {} of that", certified->fullName(), times(timeRatio(*certified, *exact)));
     if (fastest != exact)
         line += fmt::format("; the fastest of all, {}, takes {} of that and leaves {} wrong", fastest->fullName(), times(timeRatio(*fastest, *exact)), perMillion(fastest->wrongPerMillion()));
     if (search != nullptr && search != fastest && search != exact)
@@ -94,6 +94,14 @@ void addSetup(std::vector<std::string>& lines, const Setup& setup) {
 }
 
 }  // namespace
+
+std::string namesOf(const std::vector<const Variant*>& variants) {
+    constexpr size_t kNamed = 3;
+    std::vector<std::string> names;
+    for (const Variant* variant : variants)
+        if (names.size() < kNamed) names.push_back(variant->fullName());
+    return fmt::format("{}{}", fmt::join(names, ", "), variants.size() > kNamed ? fmt::format(" and {} more", variants.size() - kNamed) : "");
+}
 
 std::string times(const Spread& spread) { return fmt::format("{:.3g}x ({:.3g}..{:.3g})", spread.median, spread.low, spread.high); }
 

@@ -21,6 +21,8 @@ std::vector<Price> pricesOf(const Setup& setup);
 /// Sentences, most telling first; all numbers are computed from the rows.
 std::vector<std::string> findingsOf(const Study& study);
 
+/// The first few, and how many more.
+std::string namesOf(const std::vector<const Variant*>& variants);
 /// 1.31x (1.25..1.40)
 std::string times(const Spread& spread);
 /// 3100 ppm, or "none" of nothing wrong

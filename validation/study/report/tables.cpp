@@ -2,7 +2,6 @@
 #include "validation/study/report/tables.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "validation/study/report/page.hpp"
 #include "validation/study/report/prices.hpp"
@@ -35,10 +34,8 @@ Table priceTable(const Study& study) {
             if (price.cheapest == nullptr) {
                 row.insert(row.end(), {{"nothing is that right", {}}, {}, {}, {}, {}});
             } else {
-                std::vector<std::string> others;
-                for (const Variant* other : price.asGood) others.push_back(other->fullName());
                 row.insert(row.end(), {{price.cheapest->fullName(), {}}, spread(price.cheapest->time), wrongCell(price.cheapest->wrongPerMillion()),
-                                       number(double(price.cheapest->bytes) / 1048576, "{:.2f}"), {fmt::format("{}", fmt::join(others, "; ")), {}}});
+                                       number(double(price.cheapest->bytes) / 1048576, "{:.2f}"), {namesOf(price.asGood), {}}});
             }
             table.rows.push_back(std::move(row));
         }

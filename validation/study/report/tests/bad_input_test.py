@@ -96,7 +96,7 @@ class BadInput(unittest.TestCase):
     def test_file_in_the_way_of_the_folder(self):
         results, lines = self.few()
         (self.folder / "file").touch()
-        self.refused(self.report(results, self.folder / "file"), 2, "a file is in the way")
+        self.refused(self.report(results, self.folder / "file"), 2, "cannot make the folder")
 
     def test_full_disk(self):
         results, lines = self.few()
