@@ -128,8 +128,8 @@ struct Meshes {
 void draw(vtkRenderer& panel, const Dump& dump, const Meshes& meshes, std::span<const Corners> corners, const std::string& color, vtkLookupTable& table) {
     addScene(panel, dump, corners, 0.3, meshes.indices);
     if (meshes.points->GetNumberOfPoints() == 0) return;
-    addMesh(panel, *meshes.planes, {.colour = kYellow, .opacity = 0.16, .lit = false});
-    addMesh(panel, *meshes.casters, {.colour = kOrange, .opacity = 0.6, .edges = 1.2, .lit = false});
+    addMesh(panel, *meshes.planes, {.colour = kYellow, .opacity = 0.3, .lit = false});
+    addMesh(panel, *meshes.casters, {.colour = kOrange, .opacity = 0.6, .lit = false});
     addMesh(panel, *meshes.points, {.lit = false, .pointSize = 7}, color == "plane" ? "plane" : "error", &table);
 }
 
