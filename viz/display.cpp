@@ -22,12 +22,6 @@ namespace {
 constexpr const char* kNoDisplay = "no display: DISPLAY names none that answers, and Xvfb";
 constexpr int kStartSeconds = 30;
 
-bool displayAnswers() {
-    ::Display* display = XOpenDisplay(nullptr);
-    if (display != nullptr) XCloseDisplay(display);
-    return display != nullptr;
-}
-
 /// What Xvfb says on its -displayfd once it takes connections: its number. Empty: it ended, or said nothing for kStartSeconds.
 std::string readNumber(int fd) {
     std::string text;
@@ -46,7 +40,12 @@ std::string readNumber(int fd) {
 }  // namespace
 
 Display::Display() {
-    if (!displayAnswers()) startServer();
+    if (!connect()) startServer();
+}
+
+bool Display::connect() {
+    connection_ = XOpenDisplay(nullptr);
+    return connection_ != nullptr;
 }
 
 void Display::startServer() {
@@ -72,7 +71,7 @@ void Display::startServer() {
     ::close(ends[0]);
     if (!number.empty()) {
         ::setenv("DISPLAY", (":" + number).c_str(), 1);
-        if (displayAnswers()) return;
+        if (connect()) return;
     }
     int status = 0;
     if (server_ > 0) {
@@ -85,6 +84,7 @@ void Display::startServer() {
 }
 
 Display::~Display() {
+    if (connection_ != nullptr) XCloseDisplay(static_cast<::Display*>(connection_));
     if (server_ < 0) return;
     ::kill(server_, SIGTERM);
     ::waitpid(server_, nullptr, 0);

@@ -19,7 +19,9 @@ public:
     [[nodiscard]] bool isUsers() const { return server_ < 0; }
 
 private:
+    bool connect();
     void startServer();
+    void* connection_ = nullptr;  ///< Xlib's Display; kept open, because a server may reset, and refuse others for a moment, when its last client leaves
     pid_t server_ = -1;
 };
 

@@ -70,7 +70,7 @@ Command parseCommandLine(int argc, const char* const* argv) {
         CLI::App* app = nullptr;
     };
     std::vector<Sub> subs{
-        {Command::Kind::tree, "tree", "the shadow volumes of a TOP tree, a query's way through it, and its statistics", "400", "shadow volumes",
+        {Command::Kind::tree, "tree", "the shadow volumes of a TOP tree, a query's way through it, and its statistics", "1000", "shadow volumes",
          {"depth", "kind", "distance", "visits"}},
         {Command::Kind::clusters, "clusters", "the occupied nodes of a cluster hierarchy by level, and the tests of each pixel", "20000", "boxes of a level", {"accepted", "distance"}},
         {Command::Kind::samples, "samples", "wrong samples with the caster and the plane that decided them", "2000", "samples", {"error", "plane"}}};

@@ -211,8 +211,9 @@ vtkSmartPointer<vtkActor> addMesh(vtkRenderer& panel, vtkPolyData& mesh, const M
         else
             mapper->SetScalarModeToUseCellFieldData();
         mapper->SelectColorArray(byArray.c_str());
+        if (colours == nullptr) mapper->SetColorModeToDirectScalars();
         mapper->SetLookupTable(colours);
-        mapper->SetUseLookupTableScalarRange(true);
+        mapper->SetUseLookupTableScalarRange(colours != nullptr);
     }
     const auto actor = vtkSmartPointer<vtkActor>::New();
     actor->SetMapper(mapper);
@@ -244,9 +245,11 @@ void addBall(vtkRenderer& panel, glm::dvec3 at, double radius, glm::dvec3 colour
     addMesh(panel, *ball->GetOutput(), {.colour = colour});
 }
 
-void addScene(vtkRenderer& panel, const Dump& dump, std::span<const Corners> corners, double opacity) {
+void addScene(vtkRenderer& panel, const Dump& dump, std::span<const Corners> corners, double opacity, std::span<const uint32_t> without) {
     constexpr size_t kMost = 200000;
-    addMesh(panel, *meshOf(dump, corners, largestCasters(corners, kMost)), {.colour = kPale, .opacity = opacity});
+    std::vector<uint32_t> casters = largestCasters(corners, kMost);
+    std::erase_if(casters, [&](uint32_t caster) { return std::binary_search(without.begin(), without.end(), caster); });
+    if (!casters.empty()) addMesh(panel, *meshOf(dump, corners, casters), {.colour = kPale, .opacity = opacity});
     const double size = glm::length(dump.high() - dump.low()) * dump.metres();
     addBall(panel, lightMarkOf(dump), 0.012 * size, kYellow);
 }

@@ -72,11 +72,12 @@ struct MeshLook {
     double lineWidth = 1, pointSize = 4;
 };
 
-/// Coloured by a cell array (points without cells of their own: a point array) of this name through a table, or by the look's colour when `byArray` is empty.
+/// Coloured by an array of this name (of points where they have one, else of cells) through a table; without a table it holds bytes: red, green, blue, opacity. `byArray`
+/// empty: the look's colour.
 vtkSmartPointer<vtkActor> addMesh(vtkRenderer& panel, vtkPolyData& mesh, const MeshLook& look, const std::string& byArray = {}, vtkLookupTable* colours = nullptr);
 
-/// The scene faint behind what matters, and its light as a yellow ball.
-void addScene(vtkRenderer& panel, const Dump& dump, std::span<const Corners> corners, double opacity);
+/// The scene faint behind what matters, and its light as a yellow ball. `without` (ascending): casters that are drawn otherwise.
+void addScene(vtkRenderer& panel, const Dump& dump, std::span<const Corners> corners, double opacity, std::span<const uint32_t> without = {});
 void addBall(vtkRenderer& panel, glm::dvec3 at, double radius, glm::dvec3 colour);
 
 /// "20,000"

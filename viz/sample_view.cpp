@@ -52,7 +52,7 @@ vtkSmartPointer<vtkPolyData> pointMesh(const Dump& dump, const WrongSamples& wro
     return mesh;
 }
 
-/// From an edge of a caster away from the light, as far as the farthest sample that it decided; a caster's own plane is the caster. Cell arrays: caster, plane, samples.
+/// From an edge of a caster away from the light, as far as the farthest sample that it decided; a caster's own plane is a triangle a quarter larger. Cell arrays: caster, plane, samples.
 vtkSmartPointer<vtkPolyData> planeMesh(const Dump& dump, const WrongSamples& wrong, std::span<const Corners> corners) {
     struct Use {
         double reach = -1e30;  ///< depth of the farthest sample, away from the light
@@ -79,7 +79,8 @@ vtkSmartPointer<vtkPolyData> planeMesh(const Dump& dump, const WrongSamples& wro
         const auto beyond = [&](glm::dvec3 p) { return p + std::max(0.0, use.reach - depthOf(p)) * awayAt(p); };
         if (which.second == 3) {
             cells->InsertNextCell(3);
-            for (const glm::vec3& corner : t) add(glm::dvec3(corner));
+            const glm::dvec3 middle = (glm::dvec3(t[0]) + glm::dvec3(t[1]) + glm::dvec3(t[2])) / 3.0;
+            for (const glm::vec3& corner : t) add(middle + 1.25 * (glm::dvec3(corner) - middle));
         } else {
             const glm::dvec3 a(t[which.second]), b(t[(which.second + 1) % 3]);
             cells->InsertNextCell(4);
@@ -121,13 +122,14 @@ const WrongSample& worstOf(const WrongSamples& wrong) {
 
 struct Meshes {
     vtkSmartPointer<vtkPolyData> points, planes, casters;
+    std::vector<uint32_t> indices;  ///< of the casters
 };
 
 void draw(vtkRenderer& panel, const Dump& dump, const Meshes& meshes, std::span<const Corners> corners, const std::string& color, vtkLookupTable& table) {
-    addScene(panel, dump, corners, 0.3);
+    addScene(panel, dump, corners, 0.3, meshes.indices);
     if (meshes.points->GetNumberOfPoints() == 0) return;
-    addMesh(panel, *meshes.planes, {.colour = kYellow, .opacity = 0.16, .lit = false});
-    addMesh(panel, *meshes.casters, {.colour = kOrange, .opacity = 0.35, .edges = 1.2});
+    addMesh(panel, *meshes.planes, {.colour = kYellow, .opacity = 0.3, .lit = false});
+    addMesh(panel, *meshes.casters, {.colour = kOrange, .opacity = 0.6, .lit = false});
     addMesh(panel, *meshes.points, {.lit = false, .pointSize = 7}, color == "plane" ? "plane" : "error", &table);
 }
 
@@ -139,7 +141,7 @@ void viewSamples(const Options& options) {
     const std::vector<Corners> corners = cornersOf(dump);
     const WrongSamples wrong = wrongSamplesOf(dump, corners, options.limit);
     const std::vector<uint32_t> casters = castersOf(wrong);
-    const Meshes meshes{pointMesh(dump, wrong), planeMesh(dump, wrong, corners), casters.empty() ? vtkSmartPointer<vtkPolyData>::New() : meshOf(dump, corners, casters)};
+    const Meshes meshes{pointMesh(dump, wrong), planeMesh(dump, wrong, corners), casters.empty() ? vtkSmartPointer<vtkPolyData>::New() : meshOf(dump, corners, casters), casters};
     static const std::vector<Kind> planeKinds{{"plane through edge ab", kVermilion}, {"through bc", kBlue}, {"through ca", kGreen}, {"the caster's own", kPurple}};
     const std::vector<Kind>& kinds = options.color == "plane" ? planeKinds : kErrorKinds;
     const auto table = kindColours(kinds);

@@ -5,8 +5,11 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "host_min/error.hpp"
@@ -119,6 +122,25 @@ vtkSmartPointer<vtkPolyData> nodeMesh(const Dump& dump, const TopTree& tree, std
     return mesh;
 }
 
+/// Large volumes are drawn more transparent, so that they do not hide the small ones: array "drawn" holds red, green, blue, opacity.
+void fade(vtkPolyData& mesh, const Dump& dump, std::span<const Corners> corners, const Coloring& coloring) {
+    const double diagonal = glm::length(dump.high() - dump.low());
+    vtkDataArray& values = *mesh.GetCellData()->GetArray(coloring.array.c_str());
+    vtkDataArray& casters = *mesh.GetCellData()->GetArray("caster");
+    vtkNew<vtkUnsignedCharArray> drawn;
+    drawn->SetName("drawn");
+    drawn->SetNumberOfComponents(4);
+    for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell) {
+        const Corners& t = corners[size_t(casters.GetComponent(cell, 0))];
+        const double size = std::sqrt(glm::length(glm::cross(t[1] - t[0], t[2] - t[0]))) / diagonal;
+        const double opacity = std::clamp(0.02 / std::max(size, 1e-9), 0.05, 0.75);
+        const unsigned char* colour = coloring.table->MapValue(values.GetComponent(cell, 0));
+        const unsigned char rgba[4] = {colour[0], colour[1], colour[2], static_cast<unsigned char>(255 * opacity)};
+        drawn->InsertNextTypedTuple(rgba);
+    }
+    mesh.GetCellData()->AddArray(drawn);
+}
+
 void addColors(Picture& picture, const Options& options, const Coloring& coloring) {
     if (options.color == "kind")
         picture.legend(0, kLinkKinds);
@@ -136,10 +158,31 @@ void addNotes(Picture& picture, const Dump& dump, const TopTree& tree, const Tre
     picture.note(fmt::format("{} casters, {} of them in the tree; depth {:.1f} on average, {} at most; {:.1f} % of the links lead to an intersection child; {:.1f} visited nodes a sample",
                              grouped(tree.casters), grouped(tree.volumes.size()), statistics.meanDepth, statistics.deepest, 100 * statistics.intersectionShare(),
                              double(statistics.visits) / double(std::max<uint64_t>(1, statistics.samples))));
-    picture.note(fmt::format("settings: {}; clipped to the box of the casters; the yellow ball is the light", dump.record().value("settings", nlohmann::json()).dump()));
+    picture.note(fmt::format("settings: {}; clipped to the box of the casters, large ones more transparent; the yellow ball is the light", dump.record().value("settings", nlohmann::json()).dump()));
+}
+
+/// The way of the traced query, visit by visit.
+void showPath(const Options& options, const Dump& dump, const TopTree& tree, std::span<const Corners> corners) {
+    const QueryPath path = QueryPath::read(dump, tree);
+    const std::array paths{path};
+    Picture picture(options.size, fmt::format("query of pixel {}, {} ({}): {}", path.pixel.x, path.pixel.y, path.inShadow ? "in shadow" : "lit", dump.title()), true);
+    addScene(picture.panel(0), dump, corners, 0.25);
+    addBall(picture.panel(0), dump.world(glm::dvec3(path.sample)), 0.008 * glm::length(dump.high() - dump.low()) * dump.metres(), kVermilion);
+    const int last = int(path.visits.size());
+    const auto colours = numberColours(0, last);
+    picture.legend(0, *colours, "visit");
+    std::vector<vtkSmartPointer<vtkActor>> actors;
+    const auto upTo = [&](int steps) {
+        for (const auto& actor : actors) picture.panel(0).RemoveActor(actor);
+        actors = addPath(picture.panel(0), dump, path, corners, *colours, size_t(steps));
+    };
+    upTo(last);
+    picture.lookAt(dump, options.view, boxOf(paths, corners));
+    picture.show({"visited nodes that are drawn", 1, std::max(2, last), last, [&](int steps) { upTo(std::min(steps, last)); }}, options.closeAfter);
 }
 
 void show(const Options& options, const Dump& dump, const TopTree& tree, std::span<const Corners> corners, size_t drawn) {
+    if (dump.isTraced()) return showPath(options, dump, tree, corners);
     Picture picture(options.size, "TOP tree: " + dump.title(), true);
     const Coloring coloring = coloringOf(options.color, std::span(tree.volumes).first(drawn));
     addScene(picture.panel(0), dump, corners, 0.25);
@@ -148,7 +191,9 @@ void show(const Options& options, const Dump& dump, const TopTree& tree, std::sp
         const size_t count = size_t(std::partition_point(tree.volumes.begin(), tree.volumes.begin() + ptrdiff_t(drawn), [&](const Volume& v) { return int(v.depth) <= depth; }) -
                                     tree.volumes.begin());
         if (volumes) picture.panel(0).RemoveActor(volumes);
-        volumes = addMesh(picture.panel(0), *volumeMesh(dump, tree, count), {.opacity = 0.35}, coloring.array, coloring.table);
+        const auto mesh = volumeMesh(dump, tree, count);
+        fade(*mesh, dump, corners, coloring);
+        volumes = addMesh(picture.panel(0), *mesh, {}, "drawn");
     };
     const int deepest = drawn > 0 ? int(tree.volumes[drawn - 1].depth) : 0;
     upTo(deepest);
@@ -218,7 +263,8 @@ void viewTree(const Options& options) {
     Picture picture(options.size, "TOP tree: " + dump.title());
     const Coloring coloring = coloringOf(options.color, std::span(tree.volumes).first(drawn));
     addScene(picture.panel(0), dump, corners, 0.25);
-    addMesh(picture.panel(0), *mesh, {.opacity = 0.35}, coloring.array, coloring.table);
+    fade(*mesh, dump, corners, coloring);
+    addMesh(picture.panel(0), *mesh, {}, "drawn");
     addColors(picture, options, coloring);
     addNotes(picture, dump, tree, statistics, drawn);
     picture.lookAt(dump, options.view, boxOf(dump));

@@ -178,6 +178,7 @@ TEST_P(Viz, TreeHoldsWhatTheDeviceCounted) {
         EXPECT_EQ(uint32_t(path->GetNumberOfPoints()), wordsOf(look.file(technique, "visited_nodes.bin")).at(pixel)) << technique;
         EXPECT_EQ(factIn(*path, "ancestor_jumps") > 0, technique == "d-stackless") << technique;
     }
+    expectDone(look.viz({"tree", look.dump("d-hybrid"), "--interactive", "--close-after", "1", "--size", "640x480"}));
     for (const char* picture : {"tree-kind.png", "tree-statistics.png", "tree-path.png", "tree-steps.png"}) expectPicture(look.file("d-psv", picture));
 }
 
