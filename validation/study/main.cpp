@@ -23,8 +23,8 @@ int run(int argc, char** argv) {
     Action chosen;
     addSweep(program, chosen);
     addReport(program, chosen);
-    addShort(program, chosen);
-    addFull(program, chosen);
+    addShort(program, chosen, finishStudy);
+    addFull(program, chosen, finishStudy);
     addPlan(program, chosen, argv[0]);
     addMerge(program, chosen);
     try {

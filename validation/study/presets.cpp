@@ -65,9 +65,10 @@ bool isKnown(const std::string& key) {
     return false;
 }
 
-void addPreset(CLI::App* command, Action& chosen, const std::function<Preset()>& preset) {
+void addPreset(CLI::App* command, Action& chosen, const std::function<Preset()>& preset, const Finish& finish) {
     const auto results = std::make_shared<std::string>("out/study/results.jsonl");
     command->add_option("--results", *results, "JSON Lines; rows that are there are not measured again")->capture_default_str();
+    command->footer("The page of `gnomon-study report` is written beside the results, into report/.");
     command->callback([=, &chosen] {
         chosen = [=] {
             std::vector<std::string> leftOut;
@@ -79,6 +80,7 @@ void addPreset(CLI::App* command, Action& chosen, const std::function<Preset()>&
             for (const SweepOptions& sweep : sweeps)
                 for (GroupJobs& jobs : expand(sweep, shelf)) groups.push_back(std::move(jobs));
             runSweep(groups, shelf, path);
+            finish(path, path.parent_path() / "report");
             return 0;
         };
     });
@@ -110,15 +112,17 @@ std::vector<SweepOptions> presetSweeps(Preset preset, std::vector<std::string>& 
     return sweeps;
 }
 
-void addShort(CLI::App& program, Action& chosen) {
+void addShort(CLI::App& program, Action& chosen, const Finish& finish) {
     CLI::App* command = program.add_subcommand("short", "a study of some minutes: small scenes, every technique and precision");
     const auto tiny = std::make_shared<bool>(false);
     command->add_flag("--tiny", *tiny, "smaller still: to see that it works");
-    addPreset(command, chosen, [tiny] { return *tiny ? Preset::tiny : Preset::shortStudy; });
+    addPreset(
+        command, chosen, [tiny] { return *tiny ? Preset::tiny : Preset::shortStudy; }, finish);
 }
 
-void addFull(CLI::App& program, Action& chosen) {
-    addPreset(program.add_subcommand("full", "the full study: all scenes; hours"), chosen, [] { return Preset::full; });
+void addFull(CLI::App& program, Action& chosen, const Finish& finish) {
+    addPreset(
+        program.add_subcommand("full", "the full study: all scenes; hours"), chosen, [] { return Preset::full; }, finish);
 }
 
 }  // namespace gno::study

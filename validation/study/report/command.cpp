@@ -20,4 +20,6 @@ void addReport(CLI::App& program, Action& chosen) {
     });
 }
 
+void finishStudy(const std::filesystem::path& results, const std::filesystem::path& out) { report::report({results, out}); }
+
 }  // namespace gno::study
