@@ -5,8 +5,8 @@
 
 namespace gno::viz {
 
-/// Makes sure that DISPLAY names a display that answers: the user's when there is one, else an Xvfb of our own that ends with this object (or with the
-/// process, however that ends). Make one before the first call into VTK's rendering, on the main thread, and keep it until the last.
+/// Makes sure that DISPLAY names a display that answers: the user's when there is one, else an Xvfb of our own that ends with this object (or with
+/// the process, however that ends). Make one before the first call into VTK's rendering, on the main thread, and keep it until the last.
 class Display {
 public:
     /// Throws InputError: there is no display, and Xvfb is not installed or does not start.

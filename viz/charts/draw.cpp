@@ -38,7 +38,7 @@ struct PreparedPanel {
     explicit PreparedPanel(const Panel& p) : panel(p), x(p.x, values(p, &Point::x)), y(p.y, values(p, &Point::y)) {}
 
 private:
-    static std::vector<double> values(const Panel& panel, Value Point::* of) {
+    static std::vector<double> values(const Panel& panel, Value Point::*of) {
         std::vector<double> all;
         for (const Series& series : panel.series)
             for (const Point& point : series.points) {
@@ -139,7 +139,8 @@ private:
     static void paintPanel(vtkContext2D& painter, const PreparedPanel& prepared) {
         vtkAxis& bottom = *prepared.chart->GetAxis(vtkAxis::BOTTOM);
         vtkAxis& left = *prepared.chart->GetAxis(vtkAxis::LEFT);
-        const vtkRectf area(bottom.GetPoint1()[0], left.GetPoint1()[1], bottom.GetPoint2()[0] - bottom.GetPoint1()[0], left.GetPoint2()[1] - left.GetPoint1()[1]);
+        const vtkRectf area(bottom.GetPoint1()[0], left.GetPoint1()[1], bottom.GetPoint2()[0] - bottom.GetPoint1()[0],
+                            left.GetPoint2()[1] - left.GetPoint1()[1]);
         const Canvas canvas{prepared.x, prepared.y, area};
         if (const auto zero = prepared.y.zeroLine()) {
             const float y = area.GetBottom() + area.GetHeight() * float((*zero - prepared.y.low()) / (prepared.y.high() - prepared.y.low()));
@@ -186,7 +187,8 @@ std::string drawPng(const Figure& figure) {
     const uint32_t columns = std::max(1u, figure.columns), rows = (uint32_t(figure.panels.size()) + columns - 1) / columns;
     const float head = kMargin + kTitle + kText + 18, gap = 14, titled = 20;
     const float legend = legendWidth(legendOf(figure));
-    const float width = (float(figure.width) - kMargin - (legend > 0 ? legend + kMargin : 0)) / float(columns), height = (float(figure.height) - head - 6) / float(std::max(1u, rows));
+    const float width = (float(figure.width) - kMargin - (legend > 0 ? legend + kMargin : 0)) / float(columns),
+                height = (float(figure.height) - head - 6) / float(std::max(1u, rows));
     std::vector<std::unique_ptr<PreparedPanel>> panels;
     for (const Panel& panel : figure.panels) {
         const auto index = uint32_t(panels.size());

@@ -45,7 +45,7 @@ struct Series {
     bool steps = false;  ///< the line goes level to the next x, then down or up to it: a front, a cumulative distribution
     bool bars = false;   ///< bars from `barBase` to y, of `barWidth` in units of x
     double barBase = 0, barWidth = 0.8;
-    bool band = false;   ///< the spread of y as a band behind the line instead of whiskers
+    bool band = false;  ///< the spread of y as a band behind the line instead of whiskers
 };
 
 /// `log`: decades; values of 0 are drawn in a row of their own at the low end when `zeroRow` names it, and left out otherwise.
@@ -67,8 +67,8 @@ struct Panel {
 struct Figure {
     std::string title, subtitle;
     std::vector<Panel> panels;
-    uint32_t columns = 1;                ///< panels are laid out in rows of so many
-    uint32_t width = 1000, height = 640;  ///< in pixels of the page; the picture has twice as many each way
+    uint32_t columns = 1;                              ///< panels are laid out in rows of so many
+    uint32_t width = 1000, height = 640;               ///< in pixels of the page; the picture has twice as many each way
     std::vector<std::pair<std::string, Look>> legend;  ///< entries of its own above those of the series; an entry without look is a heading
 };
 

@@ -42,7 +42,8 @@ bool overlap(const vtkRectf& a, const vtkRectf& b) {
 /// The part of a whisker that can be drawn: an end that is off the scale goes to the edge.
 void drawWhisker(vtkContext2D& painter, const Canvas& canvas, const Value& value, float other, bool isVertical, Color color) {
     if (!value.low || !value.high) return;
-    const auto low = isVertical ? canvas.atY(*value.low) : canvas.atX(*value.low), high = isVertical ? canvas.atY(*value.high) : canvas.atX(*value.high);
+    const auto low = isVertical ? canvas.atY(*value.low) : canvas.atX(*value.low),
+               high = isVertical ? canvas.atY(*value.high) : canvas.atX(*value.high);
     if (!high) return;
     const float from = low.value_or(isVertical ? canvas.area.GetBottom() : canvas.area.GetLeft()), cap = 3 * kPixel;
     setPen(painter, color, kPixel, vtkPen::SOLID_LINE, 190);
@@ -58,7 +59,8 @@ void drawWhisker(vtkContext2D& painter, const Canvas& canvas, const Value& value
 void drawBand(vtkContext2D& painter, const Canvas& canvas, const Series& series) {
     std::vector<float> upper, lower;
     for (const Point& point : series.points) {
-        const auto x = canvas.atX(point.x.at), low = canvas.atY(point.y.low.value_or(point.y.at)), high = canvas.atY(point.y.high.value_or(point.y.at));
+        const auto x = canvas.atX(point.x.at), low = canvas.atY(point.y.low.value_or(point.y.at)),
+                   high = canvas.atY(point.y.high.value_or(point.y.at));
         if (!x || !low || !high) continue;
         upper.insert(upper.end(), {*x, *high});
         lower.insert(lower.end(), {*x, *low});
@@ -125,8 +127,10 @@ void drawMarker(vtkContext2D& painter, const Look& look, float x, float y) {
 void drawStroke(vtkContext2D& painter, const Look& look, std::vector<float> xy) {
     if (look.line == Line::none || xy.size() < 4) return;
     // Dashes of our own: the ones of the device follow the picture's pixels and start anew at every vertex.
-    const std::vector<float> pattern = look.line == Line::dashed ? std::vector<float>{7, 4} : look.line == Line::dotted ? std::vector<float>{1.5f, 3.5f}
-                                       : look.line == Line::dashDotted ? std::vector<float>{7, 3, 1.5f, 3} : std::vector<float>{};
+    const std::vector<float> pattern = look.line == Line::dashed       ? std::vector<float>{7, 4}
+                                       : look.line == Line::dotted     ? std::vector<float>{1.5f, 3.5f}
+                                       : look.line == Line::dashDotted ? std::vector<float>{7, 3, 1.5f, 3}
+                                                                       : std::vector<float>{};
     setPen(painter, look.color, look.width * kPixel);
     if (pattern.empty()) {
         painter.DrawPoly(xy.data(), int(xy.size() / 2));
@@ -157,7 +161,8 @@ void drawSeries(vtkContext2D& painter, const Canvas& canvas, const Series& serie
         if (series.steps && !line.empty()) line.insert(line.end(), {x, line.back()});
         line.insert(line.end(), {x, y});
         if (!series.bars) continue;
-        const auto left = canvas.atX(point.x.at - series.barWidth / 2), right = canvas.atX(point.x.at + series.barWidth / 2), base = canvas.atY(series.barBase);
+        const auto left = canvas.atX(point.x.at - series.barWidth / 2), right = canvas.atX(point.x.at + series.barWidth / 2),
+                   base = canvas.atY(series.barBase);
         if (!left || !right || !base) continue;
         setPen(painter, {255, 255, 255}, kPixel);
         setBrush(painter, series.look.color, 255);
@@ -196,8 +201,14 @@ void drawLabels(vtkContext2D& painter, const Canvas& canvas, const std::vector<S
             float bounds[4];
             painter.ComputeStringBounds(vtkStdString(point.label), bounds);
             const float w = bounds[2], h = bounds[3], gap = r + 3 * kPixel;
-            const std::array<std::array<float, 2>, 8> places{{{gap, -h / 2}, {-gap - w, -h / 2}, {-w / 2, gap}, {-w / 2, -gap - h},
-                                                              {gap, gap / 2}, {gap, -gap / 2 - h}, {-gap - w, gap / 2}, {-gap - w, -gap / 2 - h}}};
+            const std::array<std::array<float, 2>, 8> places{{{gap, -h / 2},
+                                                              {-gap - w, -h / 2},
+                                                              {-w / 2, gap},
+                                                              {-w / 2, -gap - h},
+                                                              {gap, gap / 2},
+                                                              {gap, -gap / 2 - h},
+                                                              {-gap - w, gap / 2},
+                                                              {-gap - w, -gap / 2 - h}}};
             for (const auto& [dx, dy] : places) {
                 const vtkRectf box(x + dx, y + dy, w, h);
                 const bool isInside = box.GetLeft() > canvas.area.GetLeft() && box.GetRight() < canvas.area.GetRight() &&

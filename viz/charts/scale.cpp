@@ -66,7 +66,9 @@ void Scale::makeLog(const Axis& axis, double least, double greatest, bool hasZer
         zeroPlace_ = low_ - row;
         ticks_.emplace_back(zeroPlace_, axis.zeroRow);
     }
-    const std::vector<double> steps = span > 3 ? std::vector<double>{1} : span > 1.2 ? std::vector<double>{1, 2, 5} : std::vector<double>{1, 1.5, 2, 3, 4, 5, 7};
+    const std::vector<double> steps = span > 3     ? std::vector<double>{1}
+                                      : span > 1.2 ? std::vector<double>{1, 2, 5}
+                                                   : std::vector<double>{1, 1.5, 2, 3, 4, 5, 7};
     for (int decade = int(std::floor(low_)); decade <= int(std::ceil(high_)); ++decade) {
         if (decade % every != 0) continue;
         for (const double step : steps) {
@@ -84,7 +86,8 @@ void Scale::makeLinear(const Axis& axis, double least, double greatest) {
     high_ = axis.high ? greatest : greatest + margin;
     const double rough = (high_ - low_) / 6, decade = std::pow(10.0, std::floor(std::log10(rough)));
     const double step = decade * (rough / decade < 1.5 ? 1 : rough / decade < 3.5 ? 2 : rough / decade < 7.5 ? 5 : 10);
-    for (double index = std::ceil(low_ / step - 1e-9); index * step <= high_ + 1e-9 * step; ++index) ticks_.emplace_back(index * step, tickText(index * step));
+    for (double index = std::ceil(low_ / step - 1e-9); index * step <= high_ + 1e-9 * step; ++index)
+        ticks_.emplace_back(index * step, tickText(index * step));
 }
 
 std::optional<double> Scale::place(double value) const {

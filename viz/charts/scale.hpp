@@ -17,8 +17,8 @@ public:
 
     /// Where to draw; nothing: it cannot be drawn (not finite, or not above zero on a logarithmic axis without a row for zero).
     [[nodiscard]] std::optional<double> place(double value) const;
-    [[nodiscard]] double low() const { return low_; }    ///< place of the low end
-    [[nodiscard]] double high() const { return high_; }  ///< place of the high end
+    [[nodiscard]] double low() const { return low_; }                                                  ///< place of the low end
+    [[nodiscard]] double high() const { return high_; }                                                ///< place of the high end
     [[nodiscard]] const std::vector<std::pair<double, std::string>>& ticks() const { return ticks_; }  ///< place and text, ascending
     /// Places of the line between the row for zero and the decades; nothing when there is no such row.
     [[nodiscard]] std::optional<double> zeroLine() const;

@@ -56,7 +56,9 @@ std::vector<NamedFigure> distanceFigures(const Study& study, const Looks& looks)
         figure.title = fmt::format("Wrong samples by distance to the nearest silhouette: {}", setup.title);
         figure.subtitle = provenance(study, fmt::format("{}x{}", setup.size[0], setup.size[1]));
         figure.panels.push_back(std::move(panel));
-        figures.push_back({"distance-" + setup.slug, "distance", "Default settings; techniques without a wrong sample have no curve. The legend holds the number of wrong samples.", std::move(figure)});
+        figures.push_back({"distance-" + setup.slug, "distance",
+                           "Default settings; techniques without a wrong sample have no curve. The legend holds the number of wrong samples.",
+                           std::move(figure)});
     }
     return figures;
 }

@@ -61,7 +61,8 @@ std::vector<viz::Series> seriesOf(const std::vector<Dot>& dots, const Looks& loo
     for (const Dot& dot : dots)
         for (const auto& [name, value] : dot.variant->varied.items()) {
             if (!value.is_number()) continue;
-            const std::string curve = fmt::format("{}|{}|{}|{}|{}", dot.variant->technique, dot.variant->precision, dot.variant->bestOf, name, without(dot.variant->varied, name));
+            const std::string curve = fmt::format("{}|{}|{}|{}|{}", dot.variant->technique, dot.variant->precision, dot.variant->bestOf, name,
+                                                  without(dot.variant->varied, name));
             candidates[curve][value.get<double>()] = &dot;
             for (const Dot& other : dots) {  // the same settings with this one at its default
                 const auto& settings = other.variant->rows.front()->settings;
@@ -83,7 +84,8 @@ std::vector<viz::Series> seriesOf(const std::vector<Dot>& dots, const Looks& loo
         curves.push_back(std::move(curve));
     }
     for (const Dot& dot : dots)
-        if (!onCurve.contains(&dot)) curves.push_back({looks.of(dot.variant->technique, dot.variant->precision, dot.variant->peer), {point(dot)}, {}});
+        if (!onCurve.contains(&dot))
+            curves.push_back({looks.of(dot.variant->technique, dot.variant->precision, dot.variant->peer), {point(dot)}, {}});
     return curves;
 }
 
@@ -106,7 +108,9 @@ void addFront(viz::Panel& panel, const std::vector<Dot>& dots) {
     }
     for (const Dot& dot : dots)
         if ((dot.variant->peer && dot.error > 0) || dot.isBest || isLabelled.contains(&dot)) {
-            const std::string text = dot.error == 0 && dot.variant->precision == "certified" ? dot.variant->label() : fmt::format("{} ({})", dot.variant->label(), dot.variant->precision);
+            const std::string text = dot.error == 0 && dot.variant->precision == "certified"
+                                         ? dot.variant->label()
+                                         : fmt::format("{} ({})", dot.variant->label(), dot.variant->precision);
             labels.points.push_back({dot.time.median, dot.error, text + dot.note, dot.lift});
         }
     panel.series.insert(panel.series.begin(), std::move(front));
@@ -153,8 +157,9 @@ std::vector<NamedFigure> errorTimeFigures(const Study& study, const Looks& looks
         viz::Figure figure = errorTime(study, looks, dots, zeroShare, "wrong samples per million");
         figure.title = fmt::format("Error against time: {}", setup.title);
         figure.subtitle = provenance(study, fmt::format("{}x{}", setup.size[0], setup.size[1]));
-        std::string caption = fmt::format("{} casters, {} frame{}. Left is faster, lower is more right; a curve joins the values of one setting.", setup.casters,
-                                          setup.frames.size(), setup.frames.size() == 1 ? "" : "s, geometric mean of times and all samples together");
+        std::string caption =
+            fmt::format("{} casters, {} frame{}. Left is faster, lower is more right; a curve joins the values of one setting.", setup.casters,
+                        setup.frames.size(), setup.frames.size() == 1 ? "" : "s, geometric mean of times and all samples together");
         for (const std::string& line : missingFrom(setup)) caption += fmt::format(" Not in the chart: {}.", line);
         figures.push_back({"error_time-" + setup.slug, "error_time", std::move(caption), std::move(figure)});
     }
@@ -163,7 +168,9 @@ std::vector<NamedFigure> errorTimeFigures(const Study& study, const Looks& looks
 
 NamedFigure overviewFigure(const Study& study, const Looks& looks) {
     // A mean over other scenes is no comparison: only setups with most of the variants take part (a family measured for its growth has few).
-    const auto checkedIn = [](const Setup& setup) { return size_t(std::count_if(setup.variants.begin(), setup.variants.end(), [](const Variant& v) { return v.isChecked(); })); };
+    const auto checkedIn = [](const Setup& setup) {
+        return size_t(std::count_if(setup.variants.begin(), setup.variants.end(), [](const Variant& v) { return v.isChecked(); }));
+    };
     size_t most = 0, setups = 0;
     for (const Setup& setup : study.setups) most = std::max(most, checkedIn(setup));
     std::map<std::string, std::vector<const Variant*>> byKey;
@@ -184,7 +191,9 @@ NamedFigure overviewFigure(const Study& study, const Looks& looks) {
             times[2].push_back(variant->time.high);
             worst = std::max(worst, variant->wrongPerMillion());
         }
-        dots.push_back({variants.front(), {geometricMean(times[0]), geometricMean(times[1]), geometricMean(times[2])}, worst,
+        dots.push_back({variants.front(),
+                        {geometricMean(times[0]), geometricMean(times[1]), geometricMean(times[2])},
+                        worst,
                         variants.size() < setups ? fmt::format(" ({} of {} scenes)", variants.size(), setups) : ""});
     }
     const double zeroShare = spreadLanes(dots);
@@ -192,7 +201,9 @@ NamedFigure overviewFigure(const Study& study, const Looks& looks) {
     figure.panels[0].x.title = "time as a ratio to a bare full-screen pass (geometric mean over scenes; whiskers: spread of the repeats)";
     figure.title = fmt::format("What accuracy costs: {} scene{}, error against time", setups, setups == 1 ? "" : "s and lights");
     figure.subtitle = provenance(study, study.sizes());
-    return {"overview", "overview", "Every technique and setting that was measured on at least half of the scenes and lights. Left is faster, lower is more right; the lowest row is exact.",
+    return {"overview", "overview",
+            "Every technique and setting that was measured on at least half of the scenes and lights. Left is faster, lower is more right; the "
+            "lowest row is exact.",
             std::move(figure)};
 }
 

@@ -23,7 +23,8 @@ public:
     [[nodiscard]] viz::Look of(const std::string& technique, const std::string& precision, bool peer) const;
     [[nodiscard]] viz::Color color(const std::string& technique) const { return colors_.at(technique); }
     /// The colours of these techniques, then the markers of these precisions, with headings.
-    [[nodiscard]] std::vector<std::pair<std::string, viz::Look>> legend(const std::vector<std::string>& techniques, const std::vector<std::string>& precisions) const;
+    [[nodiscard]] std::vector<std::pair<std::string, viz::Look>> legend(const std::vector<std::string>& techniques,
+                                                                        const std::vector<std::string>& precisions) const;
 
 private:
     std::map<std::string, viz::Color> colors_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What each rung of the precision ladder costs and mends: bars of time as a ratio to the lowest rung of the same technique and settings, wrong samples.
+// What each rung of the precision ladder costs and mends: bars of time as a ratio to the lowest rung of the same technique and settings, wrong
+// samples.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,11 +21,13 @@ using Ladder = std::map<std::string, Rung>;  ///< by precision
 std::map<std::string, Ladder> laddersOf(const Setup& setup) {
     std::map<std::string, std::vector<const Variant*>> rungs;
     for (const Variant& variant : setup.variants)
-        if (variant.isChecked() && variant.varied.empty() && variant.bestOf.empty() && rank(variant.precision) > 0) rungs[variant.technique].push_back(&variant);
+        if (variant.isChecked() && variant.varied.empty() && variant.bestOf.empty() && rank(variant.precision) > 0)
+            rungs[variant.technique].push_back(&variant);
     std::map<std::string, Ladder> ladders;
     for (auto& [technique, variants] : rungs) {
         if (variants.size() < 2) continue;
-        const Variant* lowest = *std::min_element(variants.begin(), variants.end(), [](auto* a, auto* b) { return rank(a->precision) < rank(b->precision); });
+        const Variant* lowest =
+            *std::min_element(variants.begin(), variants.end(), [](auto* a, auto* b) { return rank(a->precision) < rank(b->precision); });
         for (const Variant* variant : variants) ladders[technique][variant->precision] = {timeRatio(*variant, *lowest), variant->wrongPerMillion()};
     }
     return ladders;
@@ -53,7 +56,9 @@ viz::Figure draw(const Study& study, const Looks& looks, const std::map<std::str
         time.x.names.emplace_back(double(i), techniques[i]);
         for (const auto& [precision, rung] : ladders.at(techniques[i])) {
             const double x = double(i) + kOffset * (rank(precision) - 2);
-            viz::Series bar{{tint(looks.color(techniques[i]), precision), viz::Marker::none, viz::Line::none, 1, false}, {{x, {rung.time.median, rung.time.low, rung.time.high}, {}}}, {}};
+            viz::Series bar{{tint(looks.color(techniques[i]), precision), viz::Marker::none, viz::Line::none, 1, false},
+                            {{x, {rung.time.median, rung.time.low, rung.time.high}, {}}},
+                            {}};
             bar.bars = true;
             bar.barWidth = 0.25;
             time.series.push_back(std::move(bar));
@@ -65,7 +70,8 @@ viz::Figure draw(const Study& study, const Looks& looks, const std::map<std::str
     figure.panels = {std::move(time), std::move(wrong)};
     figure.legend.emplace_back("precision: shade", viz::Look{});
     for (const char* precision : {"published", "conservative", "certified"})
-        figure.legend.emplace_back(fmt::format("{} ", precision), viz::Look{tint(viz::kInk, precision), viz::Marker::square, viz::Line::none, 1, false});
+        figure.legend.emplace_back(fmt::format("{} ", precision),
+                                   viz::Look{tint(viz::kInk, precision), viz::Marker::square, viz::Line::none, 1, false});
     figure.legend.emplace_back("", viz::Look{});
     figure.legend.emplace_back("precision: marker", viz::Look{});
     for (const char* precision : {"published", "conservative", "certified"}) {
@@ -90,7 +96,8 @@ std::vector<NamedFigure> ladderFigures(const Study& study, const Looks& looks) {
         viz::Figure figure = draw(study, looks, ladders);
         figure.title = fmt::format("The precision ladder: {}", setup.title);
         figure.subtitle = provenance(study, fmt::format("{}x{}", setup.size[0], setup.size[1]));
-        figures.push_back({"ladder-" + setup.slug, "ladder", "Default settings. Whiskers: spread of the repeats, each compared with its neighbour in time.", std::move(figure)});
+        figures.push_back({"ladder-" + setup.slug, "ladder",
+                           "Default settings. Whiskers: spread of the repeats, each compared with its neighbour in time.", std::move(figure)});
     }
     if (figures.empty()) return figures;
     std::map<std::string, Ladder> overall;
@@ -102,13 +109,18 @@ std::vector<NamedFigure> ladderFigures(const Study& study, const Looks& looks) {
                 times.push_back(rung.time.median);
                 worst = std::max(worst, rung.wrong);
             }
-            overall[technique][precision] = {{geometricMean(times), *std::min_element(times.begin(), times.end()), *std::max_element(times.begin(), times.end())}, worst};
+            overall[technique][precision] = {
+                {geometricMean(times), *std::min_element(times.begin(), times.end()), *std::max_element(times.begin(), times.end())}, worst};
         }
     viz::Figure figure = draw(study, looks, overall);
     figure.title = fmt::format("The precision ladder over {} scenes and lights", figures.size());
     figure.subtitle = provenance(study, study.sizes());
     figure.panels[1].title = "wrong samples per million, worst scene and light";
-    figures.insert(figures.begin(), {"ladder", "ladder", "Default settings; geometric mean over scenes and lights, whiskers from the lightest to the heaviest; below, the worst error of any.", std::move(figure)});
+    figures.insert(
+        figures.begin(),
+        {"ladder", "ladder",
+         "Default settings; geometric mean over scenes and lights, whiskers from the lightest to the heaviest; below, the worst error of any.",
+         std::move(figure)});
     return figures;
 }
 

@@ -18,10 +18,16 @@ struct Section {
 };
 
 constexpr std::array kSections{
-    Section{"overview", "At a glance", "One point is one technique at one precision and setting. The lowest row answers every sample right; the grey steps join what nothing else beats in both time and error."},
-    Section{"error_time", "Error against time, scene by scene", "Times are ratios to a pass that only reads the view samples and writes a mask, measured in turns with the technique. Peers (hollow) answer the same samples on the same cores and are not part of the front."},
-    Section{"ladder", "The precision ladder", "Published is the algorithm as its paper has it, conservative adds bounds on rounding, certified is proven to be exact."},
-    Section{"growth", "Growth", "Exponents of time and counters. Times of different scenes and sizes come from different moments of a run; counters are exact."},
+    Section{"overview", "At a glance",
+            "One point is one technique at one precision and setting. The lowest row answers every sample right; the grey steps join what nothing "
+            "else beats in both time and error."},
+    Section{"error_time", "Error against time, scene by scene",
+            "Times are ratios to a pass that only reads the view samples and writes a mask, measured in turns with the technique. Peers (hollow) "
+            "answer the same samples on the same cores and are not part of the front."},
+    Section{"ladder", "The precision ladder",
+            "Published is the algorithm as its paper has it, conservative adds bounds on rounding, certified is proven to be exact."},
+    Section{"growth", "Growth",
+            "Exponents of time and counters. Times of different scenes and sizes come from different moments of a run; counters are exact."},
     Section{"paths", "Along a path", ""},
     Section{"distance", "Where wrong samples lie", "Distance to the nearest boundary between shadow and light in the exact mask."},
 };
@@ -31,9 +37,9 @@ std::string image(const std::string& png) { return "data:image/png;base64," + ba
 std::string facts(const Study& study) {
     size_t unavailable = 0;
     for (const Row& row : study.results.rows) unavailable += !row.isMeasured();
-    return fmt::format("<p class=\"facts\">{} rows{} of {} scenes and lights; {}; {}. Made by <code>gnomon-study report {}</code>.</p>\n", study.results.rows.size(),
-                       unavailable > 0 ? fmt::format(" ({} unavailable)", unavailable) : "", study.setups.size(), escaped(study.device), escaped(study.sizes()),
-                       escaped(study.results.file.filename().string()));
+    return fmt::format("<p class=\"facts\">{} rows{} of {} scenes and lights; {}; {}. Made by <code>gnomon-study report {}</code>.</p>\n",
+                       study.results.rows.size(), unavailable > 0 ? fmt::format(" ({} unavailable)", unavailable) : "", study.setups.size(),
+                       escaped(study.device), escaped(study.sizes()), escaped(study.results.file.filename().string()));
 }
 
 std::string figuresOf(const std::vector<DrawnFigure>& figures, const std::string& section) {
@@ -43,8 +49,11 @@ std::string figuresOf(const std::vector<DrawnFigure>& figures, const std::string
         if (figure.what.section != section) continue;
         const bool isFolded = (section == "ladder" || section == "growth" || section == "paths" || section == "distance") && count > 2;
         if (isFolded) html += fmt::format("<details><summary>{}</summary>", escaped(figure.what.figure.title));
-        html += fmt::format("<figure id=\"{0}\"><img class=\"chart\" width=\"{1}\" height=\"{2}\" alt=\"{3}\" src=\"{4}\"><figcaption>{5} <span class=\"facts\">({0}.png)</span></figcaption></figure>\n",
-                            escaped(figure.what.file), figure.what.figure.width, figure.what.figure.height, escaped(figure.what.figure.title), image(figure.png), escaped(figure.what.caption));
+        html += fmt::format(
+            "<figure id=\"{0}\"><img class=\"chart\" width=\"{1}\" height=\"{2}\" alt=\"{3}\" src=\"{4}\"><figcaption>{5} <span "
+            "class=\"facts\">({0}.png)</span></figcaption></figure>\n",
+            escaped(figure.what.file), figure.what.figure.width, figure.what.figure.height, escaped(figure.what.figure.title), image(figure.png),
+            escaped(figure.what.caption));
         if (isFolded) html += "</details>\n";
         ++count;
     }
@@ -54,21 +63,30 @@ std::string figuresOf(const std::vector<DrawnFigure>& figures, const std::string
 std::string comparison(const WorstFrame& worst) {
     const Row& row = *worst.row;
     const std::string technique = escaped(fmt::format("{} {}", row.technique, row.precision)), shaded = image(worst.shaded);
-    std::string html = fmt::format("<div class=\"compare\"><h3>{}: {}, light {}, frame {}</h3><p class=\"facts\">{} of {} samples wrong ({}): {} leaks, {} false darks. Left: the technique; right: the exact answer.</p>\n",
-                                   technique, escaped(row.name), row.light, row.frame, row.check->wrong, row.check->checked, perMillion(1e6 * double(row.check->wrong) / double(row.check->checked)),
-                                   row.check->leaks, row.check->falseDark);
-    html += fmt::format("<div class=\"view\" tabindex=\"0\" role=\"group\" aria-label=\"pictures of {}; plus and minus zoom, arrows move\"><div class=\"layers\"><img alt=\"exact answer\" src=\"{}\"><img class=\"left\" alt=\"{}\" src=\"{}\"></div><div class=\"edge\"></div></div>\n",
-                        technique, image(worst.truth), technique, shaded);
-    html += fmt::format("<div class=\"controls\"><label>left <select><option value=\"shaded\">as it looks</option>{}</select></label><input type=\"range\" min=\"0\" max=\"100\" step=\"0.5\" value=\"50\" aria-label=\"edge between {} and the exact answer\">"
-                        "<button type=\"button\" data-zoom=\"out\" aria-label=\"zoom out\">-</button><button type=\"button\" data-zoom=\"in\" aria-label=\"zoom in\">+</button><button type=\"button\" data-zoom=\"reset\">whole picture</button><output class=\"zoom\"></output></div>\n",
-                        worst.wrong.empty() ? "" : "<option value=\"wrong\">wrong samples marked</option>", technique);
+    std::string html = fmt::format(
+        "<div class=\"compare\"><h3>{}: {}, light {}, frame {}</h3><p class=\"facts\">{} of {} samples wrong ({}): {} leaks, {} false darks. Left: "
+        "the technique; right: the exact answer.</p>\n",
+        technique, escaped(row.name), row.light, row.frame, row.check->wrong, row.check->checked,
+        perMillion(1e6 * double(row.check->wrong) / double(row.check->checked)), row.check->leaks, row.check->falseDark);
+    html += fmt::format(
+        "<div class=\"view\" tabindex=\"0\" role=\"group\" aria-label=\"pictures of {}; plus and minus zoom, arrows move\"><div "
+        "class=\"layers\"><img alt=\"exact answer\" src=\"{}\"><img class=\"left\" alt=\"{}\" src=\"{}\"></div><div class=\"edge\"></div></div>\n",
+        technique, image(worst.truth), technique, shaded);
+    html += fmt::format(
+        "<div class=\"controls\"><label>left <select><option value=\"shaded\">as it looks</option>{}</select></label><input type=\"range\" min=\"0\" "
+        "max=\"100\" step=\"0.5\" value=\"50\" aria-label=\"edge between {} and the exact answer\">"
+        "<button type=\"button\" data-zoom=\"out\" aria-label=\"zoom out\">-</button><button type=\"button\" data-zoom=\"in\" aria-label=\"zoom "
+        "in\">+</button><button type=\"button\" data-zoom=\"reset\">whole picture</button><output class=\"zoom\"></output></div>\n",
+        worst.wrong.empty() ? "" : "<option value=\"wrong\">wrong samples marked</option>", technique);
     html += fmt::format("<template data-layer=\"shaded\" data-src=\"{}\"></template>", shaded);
     if (!worst.wrong.empty()) html += fmt::format("<template data-layer=\"wrong\" data-src=\"{}\"></template>", image(worst.wrong));
     return html + "</div>\n";
 }
 
 std::string pictures(const Study& study, const std::vector<WorstFrame>& worst) {
-    std::string html = "<h2 id=\"pictures\">Pictures: where each technique is worst</h2>\n<p>The slider moves the edge between the technique and the exact answer. Click a picture, then the wheel or + and - zoom and dragging moves it.</p>\n";
+    std::string html =
+        "<h2 id=\"pictures\">Pictures: where each technique is worst</h2>\n<p>The slider moves the edge between the technique and the exact answer. "
+        "Click a picture, then the wheel or + and - zoom and dragging moves it.</p>\n";
     for (const WorstFrame& frame : worst) html += comparison(frame);
     if (worst.empty()) html += "<p>The results file names no pictures of a wrong answer.</p>\n";
     std::string never;
@@ -87,11 +105,20 @@ std::string escaped(const std::string& text) {
     std::string html;
     for (const char c : text) {
         switch (c) {
-            case '&': html += "&amp;"; break;
-            case '<': html += "&lt;"; break;
-            case '>': html += "&gt;"; break;
-            case '"': html += "&quot;"; break;
-            default: html += c;
+            case '&':
+                html += "&amp;";
+                break;
+            case '<':
+                html += "&lt;";
+                break;
+            case '>':
+                html += "&gt;";
+                break;
+            case '"':
+                html += "&quot;";
+                break;
+            default:
+                html += c;
         }
     }
     return html;
@@ -110,8 +137,11 @@ std::string base64(const std::string& bytes) {
 }
 
 std::string makePage(const Study& study, const std::vector<DrawnFigure>& figures, const std::vector<WorstFrame>& worst) {
-    std::string html = fmt::format("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-                                   "<title>What accuracy costs</title><link rel=\"icon\" href=\"data:,\">\n<style>\n{}</style></head><body>\n<h1>What accuracy costs in time</h1>\n", kPageCss);
+    std::string html = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<title>What accuracy costs</title><link rel=\"icon\" href=\"data:,\">\n<style>\n{}</style></head><body>\n<h1>What accuracy costs in "
+        "time</h1>\n",
+        kPageCss);
     html += facts(study);
     for (const std::string& problem : study.results.problems) html += fmt::format("<p class=\"problem\">{}</p>\n", escaped(problem));
     html += "<nav aria-label=\"sections\">";
@@ -119,12 +149,15 @@ std::string makePage(const Study& study, const std::vector<DrawnFigure>& figures
     for (const Section& section : kSections) {
         std::string body = figuresOf(figures, section.id);
         if (section.id == std::string("ladder") && !body.empty()) body += htmlOf(ladderTable(study));
-        if (section.id == std::string("error_time")) body += "<h3 id=\"pay\">For this scene and this error you pay this</h3>\n" + htmlOf(priceTable(study));
+        if (section.id == std::string("error_time"))
+            body += "<h3 id=\"pay\">For this scene and this error you pay this</h3>\n" + htmlOf(priceTable(study));
         if (body.empty()) continue;
         html += fmt::format("<a href=\"#{}\">{}</a>", section.id, section.title);
         sections += fmt::format("<h2 id=\"{}\">{}</h2>\n<p>{}</p>\n{}", section.id, section.title, section.text, body);
         if (section.id != std::string("overview")) continue;
-        sections += "<h2 id=\"findings\">What the numbers say</h2>\n<p class=\"facts\">Every sentence is computed from the rows. 1.31x (1.25..1.40): median of the repeats, then the lowest and highest (from eight repeats on: the quartiles).</p>\n<ul class=\"findings\">\n";
+        sections +=
+            "<h2 id=\"findings\">What the numbers say</h2>\n<p class=\"facts\">Every sentence is computed from the rows. 1.31x (1.25..1.40): median "
+            "of the repeats, then the lowest and highest (from eight repeats on: the quartiles).</p>\n<ul class=\"findings\">\n";
         for (const std::string& line : findingsOf(study)) sections += fmt::format("<li>{}</li>\n", escaped(line));
         sections += "</ul>\n";
     }

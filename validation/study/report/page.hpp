@@ -21,7 +21,7 @@ struct WorstFrame {
 
 std::string makePage(const Study& study, const std::vector<DrawnFigure>& figures, const std::vector<WorstFrame>& worst);
 
-std::string escaped(const std::string& text);     ///< for HTML text and attributes
-std::string base64(const std::string& bytes);     ///< RFC 4648, padded
+std::string escaped(const std::string& text);  ///< for HTML text and attributes
+std::string base64(const std::string& bytes);  ///< RFC 4648, padded
 
 }  // namespace gno::report

@@ -108,27 +108,37 @@ std::vector<NamedFigure> pathFigures(const Study& study, const Looks& looks) {
         const auto curves = curvesOf(setup);
         if (curves.empty()) continue;
         const auto add = [&](const std::string& file, const std::string& caption, viz::Figure figure) {
-            if (!figure.panels[0].series.empty()) figures.push_back({fmt::format("path-{}-{}x{}-{}", setup.slug, setup.size[0], setup.size[1], file), "paths", caption, std::move(figure)});
+            if (!figure.panels[0].series.empty())
+                figures.push_back(
+                    {fmt::format("path-{}-{}x{}-{}", setup.slug, setup.size[0], setup.size[1], file), "paths", caption, std::move(figure)});
         };
         const std::string legend = " The legend holds mean and standard deviation over the frames; the band is the spread of the repeats.";
         add("total", "Build and query of each technique at its highest rung." + legend,
-            single(study, setup, panelOf(curves, looks, {}, "time / bare pass", [](const Row& row) { return spreadOf(row.toFloor(row.totalMs)); }), "Time per frame"));
+            single(study, setup, panelOf(curves, looks, {}, "time / bare pass", [](const Row& row) { return spreadOf(row.toFloor(row.totalMs)); }),
+                   "Time per frame"));
         add("query", "The query alone, without what is built for each frame." + legend,
             single(study, setup, panelOf(curves, looks, {}, "time / bare pass", [](const Row& row) { return spreadOf(row.toFloor(row.queryMs())); }),
                    "Query time per frame"));
         add("nodes", "Nodes that the queries of a frame visit, per sample." + legend,
-            single(study, setup, panelOf(curves, looks, {}, "nodes per sample", [](const Row& row) {
-                       const double nodes = double(row.counter("visited_nodes")) / double(std::max<uint64_t>(row.samples, 1));
-                       return Spread{nodes, nodes, nodes};
-                   }), "Visited nodes per frame"));
+            single(study, setup,
+                   panelOf(curves, looks, {}, "nodes per sample",
+                           [](const Row& row) {
+                               const double nodes = double(row.counter("visited_nodes")) / double(std::max<uint64_t>(row.samples, 1));
+                               return Spread{nodes, nodes, nodes};
+                           }),
+                   "Visited nodes per frame"));
         add("tests", "Test-and-set operations of a frame: one node or sample against one shadow volume." + legend,
-            single(study, setup, panelOf(curves, looks, {}, "operations, million", [](const Row& row) {
-                       const double tests = double(row.counter("test_and_set")) / 1e6;
-                       return Spread{tests, tests, tests};
-                   }), "Test-and-set operations per frame"));
+            single(study, setup,
+                   panelOf(curves, looks, {}, "operations, million",
+                           [](const Row& row) {
+                               const double tests = double(row.counter("test_and_set")) / 1e6;
+                               return Spread{tests, tests, tests};
+                           }),
+                   "Test-and-set operations per frame"));
         for (const auto& [technique, curve] : curves)
             if (std::any_of(curve.begin(), curve.end(), [](const auto& entry) { return entry.second->passes.size() >= kLeastPasses; }))
-                add("stages-" + technique, "Stages of one technique." + legend, single(study, setup, stagesOf(curve), fmt::format("Stages of {}", technique)));
+                add("stages-" + technique, "Stages of one technique." + legend,
+                    single(study, setup, stagesOf(curve), fmt::format("Stages of {}", technique)));
     }
     return figures;
 }

@@ -23,7 +23,8 @@ std::vector<Pair> exactAgainstPublished(const Study& study) {
         for (const Variant& exact : setup.variants) {
             if (!exact.isChecked() || exact.precision != "certified" || !exact.varied.empty() || !exact.bestOf.empty()) continue;
             for (const Variant& published : setup.variants)
-                if (published.isChecked() && published.technique == exact.technique && published.precision == "published" && published.varied.empty() && published.bestOf.empty())
+                if (published.isChecked() && published.technique == exact.technique && published.precision == "published" &&
+                    published.varied.empty() && published.bestOf.empty())
                     pairs.push_back({&setup, &published, &exact, timeRatio(exact, published)});
         }
     return pairs;
@@ -45,8 +46,11 @@ void addTechniques(std::vector<std::string>& lines, const std::vector<Pair>& pai
             where = pair->setup->title;
         }
         const auto [least, greatest] = std::minmax_element(factors.begin(), factors.end());
-        lines.push_back(fmt::format("{}: certified costs {:.2f}x the time of published (geometric mean of {} scenes and lights; {:.2f}x to {:.2f}x); published leaves {} wrong{}, certified {}.",
-                                    technique, geometricMean(factors), factors.size(), *least, *greatest, perMillion(worst), worst > 0 ? " at worst (" + where + ")" : " anywhere", perMillion(left)));
+        lines.push_back(
+            fmt::format("{}: certified costs {:.2f}x the time of published (geometric mean of {} scenes and lights; {:.2f}x to {:.2f}x); published "
+                        "leaves {} wrong{}, certified {}.",
+                        technique, geometricMean(factors), factors.size(), *least, *greatest, perMillion(worst),
+                        worst > 0 ? " at worst (" + where + ")" : " anywhere", perMillion(left)));
     }
 }
 
@@ -58,10 +62,14 @@ void addExtremes(std::vector<std::string>& lines, const std::vector<Pair>& pairs
         if (pair.ratio.low <= 1) freeOn[pair.exact->technique].insert(pair.setup->title);
     std::vector<std::string> words;
     for (const auto& [technique, setups] : freeOn) words.push_back(fmt::format("{} ({})", technique, setups.size()));
-    lines.push_back(words.empty() ? fmt::format("Exactness is free nowhere: in each of the {} pairs, certified took longer than published in every repeat.", pairs.size())
-                                  : fmt::format("Certified cannot be told from published in time (some repeat was as fast) with, in so many scenes and lights: {}.", fmt::join(words, ", ")));
+    lines.push_back(
+        words.empty()
+            ? fmt::format("Exactness is free nowhere: in each of the {} pairs, certified took longer than published in every repeat.", pairs.size())
+            : fmt::format("Certified cannot be told from published in time (some repeat was as fast) with, in so many scenes and lights: {}.",
+                          fmt::join(words, ", ")));
     const auto dearest = std::max_element(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.ratio.median < b.ratio.median; });
-    lines.push_back(fmt::format("Exactness is dearest on {} with {}: {} of published.", dearest->setup->title, dearest->exact->technique, times(dearest->ratio)));
+    lines.push_back(
+        fmt::format("Exactness is dearest on {} with {}: {} of published.", dearest->setup->title, dearest->exact->technique, times(dearest->ratio)));
 }
 
 /// One sentence a setup: the cheapest exact answer, the cheapest of all, and the most right of those that cannot be exact.
@@ -77,19 +85,25 @@ void addSetup(std::vector<std::string>& lines, const Setup& setup) {
     }
     if (fastest == nullptr) return;
     if (exact == nullptr) {
-        lines.push_back(fmt::format("On {} nothing was exact; the fastest, {}, leaves {} wrong.", setup.title, fastest->fullName(), perMillion(fastest->wrongPerMillion())));
+        lines.push_back(fmt::format("On {} nothing was exact; the fastest, {}, leaves {} wrong.", setup.title, fastest->fullName(),
+                                    perMillion(fastest->wrongPerMillion())));
         return;
     }
-    std::string line = fmt::format("On {} the cheapest without a wrong sample is {}, at {} of a bare full-screen pass", setup.title, exact->fullName(), times(exact->time));
+    std::string line = fmt::format("On {} the cheapest without a wrong sample is {}, at {} of a bare full-screen pass", setup.title,
+                                   exact->fullName(), times(exact->time));
     if (!prices.front().asGood.empty()) line += fmt::format(" (not to be told from it: {})", namesOf(prices.front().asGood));
-    if (certified != nullptr && certified != exact) line += fmt::format("; the cheapest that promises it, {}, takes {} of that", certified->fullName(), times(timeRatio(*certified, *exact)));
+    if (certified != nullptr && certified != exact)
+        line += fmt::format("; the cheapest that promises it, {}, takes {} of that", certified->fullName(), times(timeRatio(*certified, *exact)));
     if (fastest != exact)
-        line += fmt::format("; the fastest of all, {}, takes {} of that and leaves {} wrong", fastest->fullName(), times(timeRatio(*fastest, *exact)), perMillion(fastest->wrongPerMillion()));
+        line += fmt::format("; the fastest of all, {}, takes {} of that and leaves {} wrong", fastest->fullName(), times(timeRatio(*fastest, *exact)),
+                            perMillion(fastest->wrongPerMillion()));
     if (search != nullptr && search != fastest && search != exact)
-        line += fmt::format("; {} leaves {} wrong at {}", search->fullName(), perMillion(search->wrongPerMillion()), times(timeRatio(*search, *exact)));
+        line +=
+            fmt::format("; {} leaves {} wrong at {}", search->fullName(), perMillion(search->wrongPerMillion()), times(timeRatio(*search, *exact)));
     for (const Variant& peer : setup.variants)
         if (peer.peer && peer.isChecked())
-            line += fmt::format("; {} {} leaves {} wrong at {}", peer.technique, peer.precision, perMillion(peer.wrongPerMillion()), times(timeRatio(peer, *exact)));
+            line += fmt::format("; {} {} leaves {} wrong at {}", peer.technique, peer.precision, perMillion(peer.wrongPerMillion()),
+                                times(timeRatio(peer, *exact)));
     lines.push_back(line + ".");
 }
 
@@ -105,7 +119,9 @@ std::string namesOf(const std::vector<const Variant*>& variants) {
 
 std::string times(const Spread& spread) { return fmt::format("{:.3g}x ({:.3g}..{:.3g})", spread.median, spread.low, spread.high); }
 
-std::string perMillion(double wrong) { return wrong == 0 ? "none" : wrong < 10 ? fmt::format("{:.2g} ppm", wrong) : fmt::format("{:.0f} ppm", wrong); }
+std::string perMillion(double wrong) {
+    return wrong == 0 ? "none" : wrong < 10 ? fmt::format("{:.2g} ppm", wrong) : fmt::format("{:.0f} ppm", wrong);
+}
 
 std::vector<Price> pricesOf(const Setup& setup) {
     std::vector<Price> prices;
@@ -115,7 +131,8 @@ std::vector<Price> pricesOf(const Setup& setup) {
         for (const Variant& variant : setup.variants)
             if (fits(variant) && (price.cheapest == nullptr || variant.time.median < price.cheapest->time.median)) price.cheapest = &variant;
         for (const Variant& variant : setup.variants)
-            if (fits(variant) && &variant != price.cheapest && indistinguishable(variant.time, price.cheapest->time)) price.asGood.push_back(&variant);
+            if (fits(variant) && &variant != price.cheapest && indistinguishable(variant.time, price.cheapest->time))
+                price.asGood.push_back(&variant);
         prices.push_back(std::move(price));
     }
     return prices;
@@ -126,7 +143,8 @@ std::vector<std::string> findingsOf(const Study& study) {
     for (const Setup& setup : study.setups)
         for (const Variant& variant : setup.variants)
             if (variant.isChecked() && variant.precision == "certified" && variant.wrong > 0)
-                lines.push_back(fmt::format("BROKEN PROMISE: on {} {} leaves {} of {} samples wrong.", setup.title, variant.fullName(), variant.wrong, variant.checked));
+                lines.push_back(fmt::format("BROKEN PROMISE: on {} {} leaves {} of {} samples wrong.", setup.title, variant.fullName(), variant.wrong,
+                                            variant.checked));
     const std::vector<Pair> pairs = exactAgainstPublished(study);
     addExtremes(lines, pairs);
     addTechniques(lines, pairs);
@@ -134,8 +152,10 @@ std::vector<std::string> findingsOf(const Study& study) {
     std::map<std::string, std::set<std::string>> unavailable;
     for (const Setup& setup : study.setups)
         for (const Variant& variant : setup.variants)
-            if (!variant.isMeasured()) unavailable[fmt::format("{} {}: {}", variant.technique, variant.precision, variant.unavailable)].insert(setup.title);
-    for (const auto& [what, setups] : unavailable) lines.push_back(fmt::format("Unavailable on {} of {} scenes and lights: {}.", setups.size(), study.setups.size(), what));
+            if (!variant.isMeasured())
+                unavailable[fmt::format("{} {}: {}", variant.technique, variant.precision, variant.unavailable)].insert(setup.title);
+    for (const auto& [what, setups] : unavailable)
+        lines.push_back(fmt::format("Unavailable on {} of {} scenes and lights: {}.", setups.size(), study.setups.size(), what));
     return lines;
 }
 

@@ -11,8 +11,8 @@ inline constexpr std::array kThresholds{0.0, 1.0, 10.0, 100.0, 1000.0, 10000.0};
 
 struct Price {
     double threshold = 0;
-    const Variant* cheapest = nullptr;    ///< no peer; nullptr: nothing is that right
-    std::vector<const Variant*> asGood;   ///< others within the threshold whose times cannot be told from the cheapest one's
+    const Variant* cheapest = nullptr;   ///< no peer; nullptr: nothing is that right
+    std::vector<const Variant*> asGood;  ///< others within the threshold whose times cannot be told from the cheapest one's
 };
 
 /// One a threshold.

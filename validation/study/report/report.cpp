@@ -33,8 +33,8 @@ std::vector<WorstFrame> worstFrames(Study& study) {
         const Row* worst = nullptr;
         const auto share = [](const Row& row) { return double(row.check->wrong) / double(row.check->checked); };
         for (const Row& row : study.results.rows)
-            if (row.technique == technique && row.check && row.check->wrong > 0 && row.pictures.contains("shaded") && row.pictures.contains("truth") &&
-                (worst == nullptr || share(row) > share(*worst)))
+            if (row.technique == technique && row.check && row.check->wrong > 0 && row.pictures.contains("shaded") &&
+                row.pictures.contains("truth") && (worst == nullptr || share(row) > share(*worst)))
                 worst = &row;
         if (worst == nullptr) continue;
         WorstFrame frame{worst, {}, {}, {}};
@@ -42,7 +42,8 @@ std::vector<WorstFrame> worstFrames(Study& study) {
             const auto found = worst->pictures.find(name);
             if (found == worst->pictures.end()) continue;
             *bytes = contents(folder / found->second);
-            if (bytes->empty()) study.results.problems.push_back(fmt::format("line {}: cannot read its picture '{}'", worst->line, found->second.string()));
+            if (bytes->empty())
+                study.results.problems.push_back(fmt::format("line {}: cannot read its picture '{}'", worst->line, found->second.string()));
         }
         if (!frame.shaded.empty() && !frame.truth.empty()) frames.push_back(std::move(frame));
     }

@@ -89,7 +89,8 @@ Row readRow(const ordered_json& json) {
     if (json.contains("settings")) row.settings = json.at("settings");
     if (json.contains("varied")) row.varied = json.at("varied").get<std::vector<std::string>>();
     if (json.contains("device"))
-        row.device = fmt::format("{}, subgroup {}", json.at("device").value("driver", json.at("device").value("name", "")), json.at("device").value("subgroup", 0));
+        row.device = fmt::format("{}, subgroup {}", json.at("device").value("driver", json.at("device").value("name", "")),
+                                 json.at("device").value("subgroup", 0));
     row.size = json.at("size").get<std::array<uint32_t, 2>>();
     row.triangles = json.value("triangles", uint64_t{0});
     row.casters = json.value("casters", uint64_t{0});
@@ -145,10 +146,12 @@ Results readResults(const std::filesystem::path& file) {
             else if (row.isMeasured() || !results.rows[place->second].isMeasured())
                 results.rows[place->second] = std::move(row);
         } catch (const ordered_json::parse_error&) {
-            results.problems.push_back(fmt::format("line {}: {}; left out", number, isLast ? "broken off in the middle, as an interrupt leaves it" : "not JSON"));
+            results.problems.push_back(
+                fmt::format("line {}: {}; left out", number, isLast ? "broken off in the middle, as an interrupt leaves it" : "not JSON"));
         } catch (const std::exception& error) {  // a key that is missing or of another type, or NoRow
             const std::string text = error.what();
-            results.problems.push_back(fmt::format("line {}: {}; left out", number, text.substr(text.find("] ") == std::string::npos ? 0 : text.find("] ") + 2)));
+            results.problems.push_back(
+                fmt::format("line {}: {}; left out", number, text.substr(text.find("] ") == std::string::npos ? 0 : text.find("] ") + 2)));
         }
     }
     if (!results.rows.empty()) return results;

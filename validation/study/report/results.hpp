@@ -46,7 +46,7 @@ struct Row {
     /// Times of a repeat each, as ratios to the bare full-screen pass: to the median of its own repeats, because it is so short that one stolen
     /// time slice makes it ten times as long.
     [[nodiscard]] std::vector<double> toFloor(const std::vector<double>& ms) const;
-    [[nodiscard]] std::vector<double> queryMs() const;                     ///< a repeat each: all passes that do not build
+    [[nodiscard]] std::vector<double> queryMs() const;  ///< a repeat each: all passes that do not build
 };
 
 struct Results {

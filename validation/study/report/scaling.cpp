@@ -61,7 +61,8 @@ viz::Figure draw(const std::map<std::string, Curve>& curves, const Quantity& qua
         if (!fit) continue;
         const Row& row = *curve.begin()->second;
         series.look = looks.of(row.technique, row.precision, row.peer);
-        series.legend = fmt::format("{} {}: n^{:.2f}{}", row.technique, row.precision, fit->exponent, fit->standardError ? fmt::format(" ± {:.2f}", *fit->standardError) : "");
+        series.legend = fmt::format("{} {}: n^{:.2f}{}", row.technique, row.precision, fit->exponent,
+                                    fit->standardError ? fmt::format(" ± {:.2f}", *fit->standardError) : "");
         panel.series.push_back(std::move(series));
     }
     figure.panels.push_back(std::move(panel));
@@ -86,16 +87,18 @@ std::map<std::string, Curve> highestRungs(const std::vector<std::pair<double, co
     return highest;
 }
 
-void addFigures(std::vector<NamedFigure>& figures, const std::vector<std::pair<double, const Row*>>& rows, const std::string& grows, const std::string& what, const std::string& slug,
-                const Study& study, const std::string& size, const Looks& looks) {
+void addFigures(std::vector<NamedFigure>& figures, const std::vector<std::pair<double, const Row*>>& rows, const std::string& grows,
+                const std::string& what, const std::string& slug, const Study& study, const std::string& size, const Looks& looks) {
     const auto curves = highestRungs(rows);
     for (const Quantity& quantity : quantities()) {
         viz::Figure figure = draw(curves, quantity, grows, looks);
         if (figure.panels[0].series.empty()) continue;
         figure.title = what;
         figure.subtitle = provenance(study, size);
-        figures.push_back({fmt::format("growth-{}-{}", slug, quantity.name), "growth",
-                           "Default settings, the highest rung of each technique. Exponent by least squares on the logarithms, with its standard error.", std::move(figure)});
+        figures.push_back(
+            {fmt::format("growth-{}-{}", slug, quantity.name), "growth",
+             "Default settings, the highest rung of each technique. Exponent by least squares on the logarithms, with its standard error.",
+             std::move(figure)});
     }
 }
 
@@ -109,12 +112,14 @@ std::vector<NamedFigure> scalingFigures(const Study& study, const Looks& looks) 
         if (family.empty() || setup.frames.empty()) continue;
         for (const Row* row : setup.rows)
             if (row->frame == setup.frames.front())
-                families[fmt::format("{}|{}|{}|{}x{}", family, row->light, row->cull, setup.size[0], setup.size[1])].emplace_back(double(row->casters), row);
+                families[fmt::format("{}|{}|{}|{}x{}", family, row->light, row->cull, setup.size[0], setup.size[1])].emplace_back(
+                    double(row->casters), row);
     }
     for (const auto& [key, rows] : families) {
         const Row& first = *rows.front().second;
         const std::string family = familyOf(first.name);
-        addFigures(figures, rows, "casters n (triangles)", fmt::format("Growth with the number of casters: {}, light {} ({})", family, first.light, first.lightKind),
+        addFigures(figures, rows, "casters n (triangles)",
+                   fmt::format("Growth with the number of casters: {}, light {} ({})", family, first.light, first.lightKind),
                    fmt::format("casters-{}-light{}-{}-{}x{}", family, first.light, first.cull, first.size[0], first.size[1]), study,
                    fmt::format("{}x{}", first.size[0], first.size[1]), looks);
     }
@@ -132,7 +137,8 @@ std::vector<NamedFigure> scalingFigures(const Study& study, const Looks& looks) 
                 sizes += fmt::format(", {}x{}", other.size[0], other.size[1]);
             }
         if (sizes.find(',') == std::string::npos) continue;
-        addFigures(figures, rows, "pixels n", fmt::format("Growth with the resolution: {}", setup.title), "pixels-" + setup.slug, study, sizes, looks);
+        addFigures(figures, rows, "pixels n", fmt::format("Growth with the resolution: {}", setup.title), "pixels-" + setup.slug, study, sizes,
+                   looks);
     }
     return figures;
 }

@@ -36,7 +36,9 @@ double geometricMean(std::span<const double> values) {
     return std::exp(sum / double(values.size()));
 }
 
-double mean(std::span<const double> values) { return values.empty() ? kNone : std::accumulate(values.begin(), values.end(), 0.0) / double(values.size()); }
+double mean(std::span<const double> values) {
+    return values.empty() ? kNone : std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+}
 
 double deviation(std::span<const double> values) {
     if (values.size() < 2) return 0;

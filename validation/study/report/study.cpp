@@ -13,7 +13,8 @@ namespace {
 
 std::string settingsText(const nlohmann::ordered_json& settings) {
     std::string text;
-    for (const auto& [name, value] : settings.items()) text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, value.is_string() ? value.get<std::string>() : value.dump());
+    for (const auto& [name, value] : settings.items())
+        text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, value.is_string() ? value.get<std::string>() : value.dump());
     return text;
 }
 
@@ -147,10 +148,12 @@ Study arrange(Results results) {
     std::map<std::string, std::vector<Setup>> bySlug;  // a setup a size
     std::vector<std::string> order;
     for (const Row& row : rows) {
-        std::string slug = fmt::format("{}-light{}", row.name, row.light), title = fmt::format("{}, light {} ({})", row.name, row.light, row.lightKind);
+        std::string slug = fmt::format("{}-light{}", row.name, row.light),
+                    title = fmt::format("{}, light {} ({})", row.name, row.light, row.lightKind);
         if (cameras.size() > 1) slug += fmt::format("-camera{}", row.camera), title += fmt::format(", camera {}", row.camera);
         if (culls.size() > 1) slug += "-" + row.cull, title += fmt::format(", cull {}", row.cull);
-        std::replace_if(slug.begin(), slug.end(), [](unsigned char c) { return !std::isalnum(c) && c != '-' && c != '_'; }, '_');
+        std::replace_if(
+            slug.begin(), slug.end(), [](unsigned char c) { return !std::isalnum(c) && c != '-' && c != '_'; }, '_');
         if (!bySlug.contains(slug)) order.push_back(slug);
         std::vector<Setup>& sizes = bySlug[slug];
         auto found = std::find_if(sizes.begin(), sizes.end(), [&](const Setup& setup) { return setup.size == row.size; });

@@ -73,7 +73,9 @@ TEST(Front, IsWhatItsDefinitionSays) {
     for (int round = 0; round < 500; ++round) {
         std::vector<Cost> costs;
         for (auto i = random() % 12; i > 0; --i) costs.push_back({double(random() % 6), double(random() % 6)});
-        const auto beats = [](const Cost& a, const Cost& b) { return a.time <= b.time && a.error <= b.error && (a.time < b.time || a.error < b.error); };
+        const auto beats = [](const Cost& a, const Cost& b) {
+            return a.time <= b.time && a.error <= b.error && (a.time < b.time || a.error < b.error);
+        };
         std::set<std::pair<double, double>> want, got;
         for (const Cost& cost : costs)
             if (std::none_of(costs.begin(), costs.end(), [&](const Cost& other) { return beats(other, cost); })) want.insert({cost.time, cost.error});
@@ -88,14 +90,19 @@ TEST(Front, IsWhatItsDefinitionSays) {
 /// A results file in a folder of its own.
 class Rows {
 public:
-    Rows() : folder_(std::filesystem::temp_directory_path() / fmt::format("gnomon_report_{}", ::getpid())) { std::filesystem::create_directories(folder_); }
+    Rows() : folder_(std::filesystem::temp_directory_path() / fmt::format("gnomon_report_{}", ::getpid())) {
+        std::filesystem::create_directories(folder_);
+    }
     ~Rows() { std::filesystem::remove_all(folder_); }
     Rows& add(const std::string& technique, const std::string& precision, std::vector<double> ms, uint64_t wrong, uint32_t frame = 0) {
         const std::string list = fmt::format("[{}]", fmt::join(ms, ","));
-        text_ += fmt::format(R"({{"schema":1,"kind":"gnomon-study","job":"{0}|{1}|{4}","group":"g{4}","name":"room","frame":{4},"light_kind":"point","technique":"{0}","precision":"{1}",)"
-                             R"("size":[8,8],"samples":1000,"floor_ms":[1,1,1],"total_ms":{2},"passes":[{{"name":"top_build","ms":{2}}}],)"
-                             R"("check":{{"checked":1000,"wrong":{3},"leaks":0,"false_dark":{3}}}}})",
-                             technique, precision, list, wrong, frame) + "\n";
+        text_ +=
+            fmt::format(
+                R"({{"schema":1,"kind":"gnomon-study","job":"{0}|{1}|{4}","group":"g{4}","name":"room","frame":{4},"light_kind":"point","technique":"{0}","precision":"{1}",)"
+                R"("size":[8,8],"samples":1000,"floor_ms":[1,1,1],"total_ms":{2},"passes":[{{"name":"top_build","ms":{2}}}],)"
+                R"("check":{{"checked":1000,"wrong":{3},"leaks":0,"false_dark":{3}}}}})",
+                technique, precision, list, wrong, frame) +
+            "\n";
         return *this;
     }
     [[nodiscard]] Study study() const {
@@ -110,7 +117,10 @@ private:
 
 TEST(Prices, CheapestWithinEachError) {
     Rows rows;
-    rows.add("fast", "published", {1, 1.1, 1.2}, 20).add("slow", "certified", {5, 5.5, 6}, 0).add("alike", "certified", {5.9, 6, 6.2}, 0).add("far", "certified", {9, 9, 9}, 0);
+    rows.add("fast", "published", {1, 1.1, 1.2}, 20)
+        .add("slow", "certified", {5, 5.5, 6}, 0)
+        .add("alike", "certified", {5.9, 6, 6.2}, 0)
+        .add("far", "certified", {9, 9, 9}, 0);
     const Study study = rows.study();
     ASSERT_EQ(study.setups.size(), 1u);
     const auto prices = pricesOf(study.setups[0]);
