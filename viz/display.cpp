@@ -62,7 +62,8 @@ void Display::startServer() {
         ::dup2(null, STDOUT_FILENO);
         ::dup2(null, STDERR_FILENO);
         const int fd = ::dup(ends[1]);  // without close-on-exec
-        ::execlp("Xvfb", "Xvfb", "-displayfd", std::to_string(fd).c_str(), "-noreset", "-screen", "0", "1280x1024x24", static_cast<char*>(nullptr));
+        // -noreset: else the server starts anew, and refuses connections meanwhile, whenever its last client leaves
+        ::execlp("Xvfb", "Xvfb", "-noreset", "-displayfd", std::to_string(fd).c_str(), "-screen", "0", "1280x1024x24", static_cast<char*>(nullptr));
         _exit(errno == ENOENT ? 127 : 126);
     }
     ::close(ends[1]);

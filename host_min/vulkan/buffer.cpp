@@ -17,9 +17,9 @@ vk::raii::DeviceMemory allocate(const Device& device, const vk::MemoryRequiremen
     try {
         return {device.handle(), vk::MemoryAllocateInfo(needs.size, device.memoryType(needs.memoryTypeBits, wanted))};
     } catch (const vk::OutOfDeviceMemoryError&) {
-        throw WorkError(fmt::format("the device has no memory left for {} bytes: use a smaller --size or scene", needs.size));
+        throw MemoryError(fmt::format("the device has no memory left for {} bytes: use a smaller --size or scene", needs.size));
     } catch (const vk::OutOfHostMemoryError&) {
-        throw WorkError(fmt::format("no memory left for {} bytes: use a smaller --size or scene", needs.size));
+        throw MemoryError(fmt::format("no memory left for {} bytes: use a smaller --size or scene", needs.size));
     }
 }
 

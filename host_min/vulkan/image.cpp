@@ -39,7 +39,7 @@ Image::Image(const Device& device, uint32_t width, uint32_t height, vk::Format f
         memory_ = vk::raii::DeviceMemory(device.handle(),
                                          vk::MemoryAllocateInfo(needs.size, device.memoryType(needs.memoryTypeBits, vk::MemoryPropertyFlagBits::eDeviceLocal)));
     } catch (const vk::SystemError&) {
-        throw WorkError(fmt::format("no device memory left for an image of {} bytes: use a smaller --size", needs.size));
+        throw MemoryError(fmt::format("no device memory left for an image of {} bytes: use a smaller --size", needs.size));
     }
     image_.bindMemory(*memory_, 0);
     view_ = vk::raii::ImageView(device.handle(), vk::ImageViewCreateInfo({}, *image_, vk::ImageViewType::e2D, format, {}, {aspect_, 0, 1, 0, 1}));

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "validation/bench/cluster_tables.hpp"
+#include "host_min/app/result.hpp"
 #include "validation/bench/program.hpp"
 
 namespace {
@@ -35,7 +36,7 @@ int run(int argc, char** argv) {
     if (!bench::parse(app, argc, argv)) return 0;
     bench::readSize(size, job.width, job.height);
     job.precision = host::precisionByName(precision);
-    job.cull = bench::cullByName(cull);
+    job.cull = host::cullByName(cull);
 
     const host::Device device(host::DeviceOptions::fromEnvironment());
     host::checkSize(device.facts(), job.width, job.height);

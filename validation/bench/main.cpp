@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "host_min/app/result.hpp"
 #include "validation/bench/program.hpp"
 #include "validation/bench/tables.hpp"
 
@@ -30,7 +31,7 @@ int run(int argc, char** argv) {
     if (!bench::parse(app, argc, argv)) return 0;
     bench::readSize(size, base.width, base.height);
     base.precisions = {host::precisionByName(precision)};
-    base.cull = bench::cullByName(cull);
+    base.cull = host::cullByName(cull);
 
     const bool bothLights = table == "ladder" || table == "routing" || table == "own";
     const host::Device device(host::DeviceOptions::fromEnvironment());

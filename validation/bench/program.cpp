@@ -22,10 +22,6 @@ bool parse(CLI::App& app, int argc, char** argv) {
     return true;
 }
 
-host::Cull cullByName(const std::string& word) {
-    return word == "front" ? host::Cull::front : word == "hull" ? host::Cull::hull : word == "all" ? host::Cull::all : host::Cull::none;
-}
-
 void readSize(const std::string& text, uint32_t& width, uint32_t& height) {
     if (std::sscanf(text.c_str(), "%ux%u", &width, &height) != 2) throw host::InputError("--size: write WIDTHxHEIGHT");
 }

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "host_min/frame/inputs.hpp"
+#include "host_min/vulkan/device.hpp"
 
 namespace CLI {
 class App;
@@ -15,7 +15,6 @@ namespace gno::bench {
 /// Parses; prints the help and returns false when it was asked for. Throws InputError.
 bool parse(CLI::App& app, int argc, char** argv);
 
-host::Cull cullByName(const std::string& word);                             ///< none, front, hull or all
 void readSize(const std::string& text, uint32_t& width, uint32_t& height);  ///< "WIDTHxHEIGHT"; throws InputError
 std::string describe(const host::Device& device);                           ///< name, driver and subgroup width
 

@@ -35,6 +35,7 @@ struct Value {
 struct Point {
     Value x, y;
     std::string label;  ///< written beside the point where there is room; empty: none
+    float lift = 0;     ///< drawn so many pixels of the page higher, to keep equal values apart
 };
 
 struct Series {
@@ -54,6 +55,7 @@ struct Axis {
     std::string zeroRow;                                ///< for example "0 = exact"; log only
     std::optional<double> low, high;                    ///< missing: from the data
     std::vector<std::pair<double, std::string>> names;  ///< of values, instead of numbers (bars)
+    double zeroShare = 0.16;                            ///< height of the row for zero, as a share of the decades
 };
 
 struct Panel {

@@ -75,6 +75,11 @@ void drawBand(vtkContext2D& painter, const Canvas& canvas, const Series& series)
 
 std::optional<float> Canvas::atX(double value) const { return along(x, value, area.GetLeft(), area.GetWidth()); }
 std::optional<float> Canvas::atY(double value) const { return along(y, value, area.GetBottom(), area.GetHeight()); }
+std::optional<std::array<float, 2>> Canvas::at(const Point& point) const {
+    const auto across = atX(point.x.at), up = atY(point.y.at);
+    if (!across || !up) return {};
+    return std::array{*across, *up + point.lift * kPixel};
+}
 
 void setText(vtkContext2D& painter, float size, Color color, bool bold) {
     vtkTextProperty* text = painter.GetTextProp();
@@ -146,24 +151,26 @@ void drawSeries(vtkContext2D& painter, const Canvas& canvas, const Series& serie
     if (series.band) drawBand(painter, canvas, series);
     std::vector<float> line;
     for (const Point& point : series.points) {
-        const auto x = canvas.atX(point.x.at), y = canvas.atY(point.y.at);
-        if (!x || !y) continue;
-        if (series.steps && !line.empty()) line.insert(line.end(), {*x, line.back()});
-        line.insert(line.end(), {*x, *y});
+        const auto place = canvas.at(point);
+        if (!place) continue;
+        const auto [x, y] = *place;
+        if (series.steps && !line.empty()) line.insert(line.end(), {x, line.back()});
+        line.insert(line.end(), {x, y});
         if (!series.bars) continue;
         const auto left = canvas.atX(point.x.at - series.barWidth / 2), right = canvas.atX(point.x.at + series.barWidth / 2), base = canvas.atY(series.barBase);
         if (!left || !right || !base) continue;
         setPen(painter, {255, 255, 255}, kPixel);
         setBrush(painter, series.look.color, 255);
-        painter.DrawRect(*left, std::min(*base, *y), *right - *left, std::abs(*y - *base));
+        painter.DrawRect(*left, std::min(*base, y), *right - *left, std::abs(y - *base));
     }
     if (!series.bars) drawStroke(painter, series.look, line);
     for (const Point& point : series.points) {
-        const auto x = canvas.atX(point.x.at), y = canvas.atY(point.y.at);
-        if (!x || !y) continue;
-        drawWhisker(painter, canvas, point.x, *y, false, series.look.color);
-        if (!series.band) drawWhisker(painter, canvas, point.y, *x, true, series.bars ? kInk : series.look.color);
-        if (!series.bars) drawMarker(painter, series.look, *x, *y);
+        const auto place = canvas.at(point);
+        if (!place) continue;
+        const auto [x, y] = *place;
+        drawWhisker(painter, canvas, point.x, y, false, series.look.color);
+        if (!series.band) drawWhisker(painter, canvas, point.y, x, true, series.bars ? kInk : series.look.color);
+        if (!series.bars) drawMarker(painter, series.look, x, y);
     }
 }
 
@@ -172,25 +179,27 @@ void drawLabels(vtkContext2D& painter, const Canvas& canvas, const std::vector<S
     const float r = kMarkerSize / 2;
     for (const Series& one : series)
         for (const Point& point : one.points) {
-            const auto x = canvas.atX(point.x.at), y = canvas.atY(point.y.at);
-            if (!x || !y) continue;
-            if (one.look.marker != Marker::none) taken.emplace_back(*x - r, *y - r, 2 * r, 2 * r);
+            const auto place = canvas.at(point);
+            if (!place) continue;
+            const auto [x, y] = *place;
+            if (one.look.marker != Marker::none) taken.emplace_back(x - r, y - r, 2 * r, 2 * r);
             if (!point.x.low || !point.x.high) continue;
             const auto low = canvas.atX(*point.x.low), high = canvas.atX(*point.x.high);
-            if (low && high) taken.emplace_back(*low, *y - 2 * kPixel, *high - *low, 4 * kPixel);
+            if (low && high) taken.emplace_back(*low, y - 2 * kPixel, *high - *low, 4 * kPixel);
         }
     setText(painter, 12, kInk);
     for (const Series& one : series)
         for (const Point& point : one.points) {
-            const auto x = canvas.atX(point.x.at), y = canvas.atY(point.y.at);
-            if (point.label.empty() || !x || !y) continue;
+            const auto place = canvas.at(point);
+            if (point.label.empty() || !place) continue;
+            const auto [x, y] = *place;
             float bounds[4];
             painter.ComputeStringBounds(vtkStdString(point.label), bounds);
             const float w = bounds[2], h = bounds[3], gap = r + 3 * kPixel;
             const std::array<std::array<float, 2>, 8> places{{{gap, -h / 2}, {-gap - w, -h / 2}, {-w / 2, gap}, {-w / 2, -gap - h},
                                                               {gap, gap / 2}, {gap, -gap / 2 - h}, {-gap - w, gap / 2}, {-gap - w, -gap / 2 - h}}};
             for (const auto& [dx, dy] : places) {
-                const vtkRectf box(*x + dx, *y + dy, w, h);
+                const vtkRectf box(x + dx, y + dy, w, h);
                 const bool isInside = box.GetLeft() > canvas.area.GetLeft() && box.GetRight() < canvas.area.GetRight() &&
                                       box.GetBottom() > canvas.area.GetBottom() && box.GetTop() < canvas.area.GetTop();
                 if (!isInside || std::any_of(taken.begin(), taken.end(), [&](const vtkRectf& other) { return overlap(box, other); })) continue;

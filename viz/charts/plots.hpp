@@ -18,6 +18,7 @@ struct Canvas {
     vtkRectf area;
     [[nodiscard]] std::optional<float> atX(double value) const;
     [[nodiscard]] std::optional<float> atY(double value) const;
+    [[nodiscard]] std::optional<std::array<float, 2>> at(const Point& point) const;  ///< with its lift
 };
 
 void setText(vtkContext2D& painter, float size, Color color, bool bold = false);  ///< left, bottom; size in pixels of the page
