@@ -4,10 +4,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
-#include <optional>
 #include <string>
-
-#include <vtkObject.h>
 
 #include "host_min/error.hpp"
 #include "viz/display.hpp"
