@@ -36,25 +36,27 @@ constexpr const char* kTiny[] = {
     "room:12 --size 48x27 --frame 0..20..20 --repeat 2",
 };
 constexpr const char* kFull[] = {
-    // error against time for every scene, both kinds of light, map sizes with their best bias
-    "scenes/show_garden.glb scenes/show_stairs.glb scenes/show_truck.glb scenes/cooktop/cooktop.glb scenes/crib/crib.glb scenes/fence/fence.glb"
-    " scenes/flower_box/flower_box.glb scenes/plant_decorative/plant_decorative.glb scenes/spiral_staircase/spiral_staircase.glb"
-    " scenes/table_fan/table_fan.glb scenes/table_football/table_football.glb scenes/truck_peterbilt/truck_peterbilt.glb"
-    " playground city ropes bricks room gate fuzzy grass leaves"
-    " --size 640x360 --light all --vary map=512,1024,2048,4096,8192 --best bias --vary stack=4,8,16 --repeat 5",
-    // parameters of the structures
-    "scenes/show_garden.glb playground:131000 gate:100000 --frame 30 --size 640x360 --vary stack=1,2,4,8,16,32 --vary bounds=implicit,explicit"
-    " --vary split=off,1,3,4,5,6 --vary planes=own --vary fit=uniform,focused:map=512,1024,2048,4096,8192 --best bias --repeat 5",
-    // culling
-    "playground:131000 gate:100000 --frame 44 --size 640x360 --cull none,front,hull,all --repeat 5",
-    // resolution
-    "scenes/show_garden.glb scenes/spiral_staircase/spiral_staircase.glb playground --size 320x180,960x540,1280x720,1920x1080"
-    " --vary map=2048,8192 --best bias --repeat 5",
-    // paths
-    "scenes/show_garden.glb playground gate room city --frame 1..57..4 --size 640x360 --vary map=2048 --best bias --repeat 3",
+    // error against time, every kind of light, map sizes with their best bias
+    "scenes/show_stairs.glb scenes/spiral_staircase/spiral_staircase.glb scenes/table_fan/table_fan.glb scenes/crib/crib.glb scenes/show_truck.glb room:6000"
+    " scenes/plant_decorative/plant_decorative.glb scenes/show_garden.glb --size 480x270 --light all --vary map=512,1024,2048,4096 --best bias"
+    " --vary stack=4,8 --repeat 3",
+    // a path
+    "scenes/show_garden.glb room:6000 --frame 4..56..4 --size 320x180 --repeat 3",
     // number of casters
-    "--vary-scene fuzzy=4000,16000,64000,256000,1000000 --vary-scene bricks=20000,80000,320000,1280000"
-    " --vary-scene playground=40000,160000,640000 --size 640x360 --frame 15 --vary map=2048 --repeat 5",
+    "--vary-scene fuzzy=4000,16000,64000,256000 --vary-scene playground=40000,160000 --size 320x180 --frame 15 --repeat 3",
+    // resolution
+    "scenes/show_stairs.glb scenes/show_garden.glb --size 320x180,960x540,1280x720,1920x1080 --vary map=2048 --repeat 3",
+    // parameters of the structures
+    "scenes/show_garden.glb gate:100000 --frame 30 --size 480x270 --vary stack=1,2,16,32 --vary bounds=implicit,explicit"
+    " --vary split=off,1,3,4,5,6 --vary planes=own --vary fit=uniform,focused:map=1024,2048,8192 --repeat 3",
+    // the other scenes
+    "scenes/cooktop/cooktop.glb scenes/fence/fence.glb scenes/flower_box/flower_box.glb scenes/table_football/table_football.glb"
+    " scenes/truck_peterbilt/truck_peterbilt.glb gate:100000 leaves:8000 playground city ropes bricks fuzzy grass"
+    " --size 480x270 --light all --vary map=1024,4096 --best bias --repeat 3",
+    // culling
+    "playground:131000 gate:100000 --frame 44 --size 480x270 --cull none,front,hull,all --repeat 3",
+    // many casters
+    "--vary-scene fuzzy=1000000 --vary-scene bricks=20000,80000,320000,1280000 --vary-scene playground=640000 --size 480x270 --frame 15 --repeat 3",
 };
 // clang-format on
 
