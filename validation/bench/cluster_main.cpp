@@ -5,8 +5,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "validation/bench/cluster_tables.hpp"
 #include "host_min/app/result.hpp"
+#include "host_min/output/guarded.hpp"
+#include "validation/bench/cluster_tables.hpp"
 #include "validation/bench/program.hpp"
 
 namespace {
@@ -58,5 +59,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return gno::bench::guarded("gnomon-bench-clusters", [&] { return run(argc, argv); });
+    return gno::host::guarded("gnomon-bench-clusters", "use a smaller --size or scene", [&] { return run(argc, argv); });
 }

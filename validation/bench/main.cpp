@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "host_min/app/result.hpp"
+#include "host_min/output/guarded.hpp"
 #include "validation/bench/program.hpp"
 #include "validation/bench/tables.hpp"
 
@@ -61,5 +62,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return gno::bench::guarded("gnomon-bench", [&] { return run(argc, argv); });
+    return gno::host::guarded("gnomon-bench", "use a smaller --size or scene", [&] { return run(argc, argv); });
 }

@@ -31,16 +31,4 @@ std::string describe(const host::Device& device) {
     return fmt::format("{}, {} {}, subgroup width {}", f.deviceName, f.driverName, f.driverInfo, f.subgroupSize);
 }
 
-int guarded(const char* program, const std::function<int()>& run) {
-    try {
-        return run();
-    } catch (const host::InputError& error) {
-        std::fprintf(stderr, "%s: %s\n", program, error.what());
-        return 2;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s: %s\n", program, error.what());
-        return 1;
-    }
-}
-
 }  // namespace gno::bench

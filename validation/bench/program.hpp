@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the programs of this folder share around their tables.
 #pragma once
-#include <functional>
 #include <string>
 
 #include "host_min/vulkan/device.hpp"
@@ -17,8 +16,5 @@ bool parse(CLI::App& app, int argc, char** argv);
 
 void readSize(const std::string& text, uint32_t& width, uint32_t& height);  ///< "WIDTHxHEIGHT"; throws InputError
 std::string describe(const host::Device& device);                           ///< name, driver and subgroup width
-
-/// `run`, with its exceptions as one line on standard error; returns the exit code: 2 for bad input, 1 for all else.
-int guarded(const char* program, const std::function<int()>& run);
 
 }  // namespace gno::bench
