@@ -24,7 +24,7 @@ int fail(const char* program, std::string line, int code) {
 int guarded(const char* program, const char* lessMemory, const std::function<int()>& run) {
     try {
         const int code = run();
-        if (std::fflush(stdout) != 0) return fail(program, kNoStandardOutput, 1);
+        if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail(program, kNoStandardOutput, 1);
         return code;
     } catch (const InputError& error) {
         return fail(program, error.what(), 2);
