@@ -18,4 +18,10 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// The device or the machine has no memory left for this much: a smaller piece of work may still go.
+class MemoryError : public WorkError {
+public:
+    using WorkError::WorkError;
+};
+
 }  // namespace gno::host

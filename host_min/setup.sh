@@ -10,6 +10,8 @@ gnomon_packages=(
   libglm-dev libtinygltf-dev libstb-dev nlohmann-json3-dev
   libopenexr-dev libcli11-dev libfmt-dev
   libgtest-dev libbenchmark-dev libcgal-dev libgmp-dev libmpfr-dev libembree-dev libtbb-dev
+  libvtk9-dev xvfb xauth
+  chromium chromium-driver python3-selenium fonts-dejavu-core parallel
 )
 gnomon_oldest_mesa=24.1   # before it, lavapipe gives silently wrong results (README, "Driver")
 

@@ -31,8 +31,10 @@ struct GnoCounters {
     uint planeTests;      // planes looked at for that
     uint leafTests;       // view samples tested against a volume
     uint accepted;        // nodes that lay wholly inside a volume
+    uint rays;            // ray queries
+    uint candidates;      // casters that a ray query offered, the sample's own included
 };
-GnoCounters gnoCounters = GnoCounters(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+GnoCounters gnoCounters = GnoCounters(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
 #define GNO_COUNT(member_, amount_) gnoCounters.member_ += (amount_)
 #define GNO_COUNT_MAX(member_, value_) gnoCounters.member_ = max(gnoCounters.member_, (value_))
 #else

@@ -47,6 +47,13 @@ void parseFrames(const std::string& text, ShadeOptions& options) {
     if (options.lastFrame < options.firstFrame) throw InputError(fmt::format("--frame {}: the last frame is before the first", text));
 }
 
+void parseTrace(const std::string& text, ShadeOptions& options) {
+    const size_t at = text.find(',');
+    if (at == std::string::npos) throw InputError(fmt::format("--trace {}: write X,Y, a pixel counted from the upper left corner", text));
+    if (!options.dump) throw InputError("--trace: only together with --dump, which writes what is logged");
+    options.trace = {number("--trace", text.substr(0, at), options.width - 1), number("--trace", text.substr(at + 1), options.height - 1)};
+}
+
 std::vector<std::string> splitList(const std::string& text) {
     std::vector<std::string> parts;
     std::stringstream stream(text);
@@ -64,7 +71,7 @@ Command parseCommandLine(int argc, const char* const* argv) {
     app.set_version_flag("--version", std::string("gnomon ") + GNOMON_VERSION);
     app.require_subcommand(1);
 
-    std::string technique = "auto", precision = "certified", size = "1024x1024", light = "0", frame = "0", scene, out = "out", json;
+    std::string technique = "auto", precision = "certified", size = "1024x1024", light = "0", frame = "0", scene, out = "out", json, trace;
     std::string camera = "0", repeat = "1", effectsFrame = "0";
     CLI::App* shadeCommand = app.add_subcommand("shade", "shade frames of a glTF scene; write pictures, EXR layers and a record");
     shadeCommand->add_option("SCENE", scene, ".gltf or .glb file")->required();
@@ -78,6 +85,7 @@ Command parseCommandLine(int argc, const char* const* argv) {
     shadeCommand->add_flag("--check", shade.check, "compare with the exact oracle");
     shadeCommand->add_option("--repeat", repeat, "timed runs; the median is told")->capture_default_str();
     shadeCommand->add_flag("--dump", shade.dump, "write the techniques' buffers");
+    const CLI::Option* traceOption = shadeCommand->add_option("--trace", trace, "X,Y: with --dump, log the nodes that this pixel's query visits");
     bool noPictures = false;
     shadeCommand->add_flag("--no-pictures", noPictures, "write no PNG and no EXR");
     shadeCommand->add_option("--out", out, "folder for everything that is written")->capture_default_str();
@@ -111,6 +119,7 @@ Command parseCommandLine(int argc, const char* const* argv) {
         shade.precision = precisionByName(precision);
         parseSize(size, shade);
         parseFrames(frame, shade);
+        if (*traceOption) parseTrace(trace, shade);
         shade.camera = number("--camera", camera);
         shade.repeat = number("--repeat", repeat, 1000);
         if (shade.repeat == 0) throw InputError("--repeat 0: at least one timed run is needed");

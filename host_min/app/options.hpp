@@ -23,6 +23,7 @@ struct ShadeOptions {
     uint32_t firstFrame = 0, lastFrame = 0;
     std::vector<std::string> settings;  ///< KEY=VALUE each
     bool check = false, dump = false, pictures = true;
+    std::optional<glm::uvec2> trace;  ///< pixel whose query is logged; with dump only
     uint32_t repeat = 1;
     std::filesystem::path out = "out";
     std::filesystem::path json;  ///< empty: no record

@@ -3,91 +3,44 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "host_min/output/atomic_file.hpp"
 #include "host_min/output/heatmap.hpp"
 #include "host_min/output/png.hpp"
 #include "host_min/output/shade_picture.hpp"
 
 namespace gno::host {
-namespace {
-
-std::vector<glm::vec3> xyz(const Image& image) {
-    std::vector<glm::vec3> result;
-    for (const glm::vec4& texel : image.downloadAs<glm::vec4>()) result.emplace_back(texel);
-    return result;
-}
-
-std::vector<uint8_t> narrow(const std::vector<uint32_t>& values) {
-    std::vector<uint8_t> result;
-    result.reserve(values.size());
-    for (const uint32_t value : values) result.push_back(uint8_t(std::min(value, 255u)));
-    return result;
-}
-
-}  // namespace
 
 FrameOutputs::FrameOutputs(const ShadeOptions& options, const FrameInputs& inputs, const SceneFile& file, uint32_t frame, uint32_t light)
-    : options_(options),
-      inputs_(inputs),
-      stem_(fmt::format("{}-l{}-f{:03}", options.scene.stem().string(), light, frame)),
-      light_(inputs.frame().lights.at(light)) {
+    : options_(options), inputs_(inputs), stem_(fmt::format("{}-l{}-f{:03}", options.scene.stem().string(), light, frame)) {
     if (!options.pictures) return;
-    const uint32_t w = inputs.width(), h = inputs.height();
-    positions_ = {w, h, xyz(inputs.positions())};
-    normals_ = {w, h, xyz(inputs.normals())};
-    baseColors_ = Raster<glm::vec3>(w, h);
-    const auto primitives = inputs.primitives().downloadAs<uint32_t>();
-    for (size_t i = 0; i < primitives.size(); ++i) {
-        isSample_.push_back(inputs.pixels()[i].own <= GNO_NO_CASTER);
-        if (primitives[i] != GNO_BACKGROUND) baseColors_.pixels[i] = glm::vec3(file.materials()[inputs.frame().material[primitives[i]]].baseColor);
-    }
-    layers_.push_back(exrVectorLayer("position", positions_.pixels));
-    layers_.push_back(exrVectorLayer("normal", normals_.pixels));
-    layers_.push_back({"primitive", {{"", primitives}}});
+    frame_.emplace(inputs, file, inputs.frame().lights.at(light));
+    layers_.push_back(exrVectorLayer("position", frame_->positions().pixels));
+    layers_.push_back(exrVectorLayer("normal", frame_->normals().pixels));
+    layers_.push_back({"primitive", {{"", frame_->primitives()}}});
 }
 
-void FrameOutputs::add(const Technique& technique, const TechniqueResult& result, const OracleAnswer* answer) {
-    const std::string layerName = fmt::format("{}.{}", technique.info().name, name(options_.precision));
-    if (!result.dump.empty()) dumps_.push_back({layerName, result.dump});
+void FrameOutputs::add(const Record& record, const TechniqueResult& result, const OracleAnswer* answer) {
+    const std::string layerName = fmt::format("{}.{}", record.technique, record.precision);
+    if (options_.dump) dumps_.push_back(makeDump(inputs_, result, record, answer));
     if (!options_.pictures) return;
     const uint32_t w = inputs_.width(), h = inputs_.height();
-    const Raster<uint8_t> visibility(w, h, narrow(result.visibility));
+    const Raster<uint8_t> visibility(w, h, narrowVisibility(result.visibility));
     ExrLayer layer{layerName, {{"visibility", visibility.pixels}}};
-    Raster<glm::vec3> passing(w, h);
-    for (size_t i = 0; i < result.sums.size(); ++i)
-        for (int channel = 0; channel < 3; ++channel)
-            passing.pixels[i][channel] = result.sums[i][channel] >= kNoLight ? 0.0f : std::exp2(-float(result.sums[i][channel]) / 65536.0f);
+    const Raster<glm::vec3> passing = passingLight(inputs_, result.sums);
     if (!result.sums.empty()) layers_.push_back(exrVectorLayer(layerName + ".passing", passing.pixels));
-    pictures_.push_back({layerName + "-shaded", shadePicture({positions_,
-                                                              normals_,
-                                                              baseColors_,
-                                                              visibility,
-                                                              light_.homogeneous,
-                                                              light_.color,
-                                                              {0, 1, 0},
-                                                              inputs_.viewer(),
-                                                              result.sums.empty() ? nullptr : &passing})});
+    pictures_.push_back({layerName + "-shaded", frame_->shaded(visibility, result.sums.empty() ? nullptr : &passing)});
     pictures_.push_back({layerName + "-mask", maskPicture(visibility)});
     const auto addHeatMap = [&](const std::vector<uint32_t>& values, const char* channel, const char* title, const char* unit) {
         if (values.empty()) return;
         layer.channels.push_back({channel, values});
         pictures_.push_back({fmt::format("{}-{}", layerName, channel),
-                             heatMap(Raster<uint32_t>(w, h, values), isSample_, {fmt::format("{}: {}", layerName, title), unit, {}})});
+                             heatMap(Raster<uint32_t>(w, h, values), frame_->isSample(), {fmt::format("{}: {}", layerName, title), unit, {}})});
     };
     addHeatMap(result.visitedNodes, "visited_nodes", "visited nodes", "nodes");
     addHeatMap(result.sampleTests, "sample_tests", "tests of a sample", "tests");
     addHeatMap(result.deepestStack, "stack", "deepest stack", "entries");
     if (answer) {
-        Raster<uint8_t> want = visibility;
-        size_t sample = 0;
-        for (size_t i = 0; i < want.size(); ++i) {
-            if (!isSample_[i]) continue;
-            const bool dark = result.sums.empty() ? answer->inShadow[sample] != 0 : answer->sums[sample] == glm::uvec3(kNoLight);
-            want.pixels[i] = uint8_t(dark ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT);
-            ++sample;
-        }
+        const Raster<uint8_t> want = frame_->wanted(visibility, *answer, !result.sums.empty());
         pictures_.push_back({layerName + "-difference", differencePicture(visibility, want)});
     }
     layers_.push_back(std::move(layer));
@@ -97,27 +50,7 @@ void FrameOutputs::write() {
     if (options_.pictures || !dumps_.empty()) makeFolder(options_.out);
     for (const NamedPicture& picture : pictures_) writePng(options_.out / fmt::format("{}-{}.png", stem_, picture.suffix), picture.picture);
     if (options_.pictures) writeExr(options_.out / (stem_ + ".exr"), inputs_.width(), inputs_.height(), layers_);
-    for (const Dump& dump : dumps_) {
-        nlohmann::ordered_json index = nlohmann::ordered_json::object();
-        const auto writeRaw = [&](const std::string& what, std::span<const std::byte> bytes, const std::string& layout) {
-            const std::string file = fmt::format("{}-{}-{}.bin", stem_, dump.suffix, what);
-            AtomicFile out(options_.out / file);
-            out.stream().write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
-            out.commit();
-            index["buffers"].push_back({{"name", what}, {"file", file}, {"bytes", bytes.size()}, {"layout", layout}});
-        };
-        const glm::vec4 light = inputs_.light();
-        index["casters"] = inputs_.triangleCount();
-        index["light"] = {light.x, light.y, light.z, light.w};
-        index["size"] = {inputs_.width(), inputs_.height()};
-        for (const DumpedBuffer& buffer : dump.buffers) writeRaw(buffer.name, buffer.bytes, buffer.layout);
-        const std::vector<std::byte> casters = inputs_.casters().download();  // the buffer itself may be longer
-        writeRaw("casters", std::span(casters).first(inputs_.triangleCount() * sizeof(Triangle)), "float[9 * casters], grid positions");
-        writeRaw("samples", inputs_.samples().download(), "uvec4[width * height]: position as float bits, own caster");
-        AtomicFile out(options_.out / fmt::format("{}-{}-dump.json", stem_, dump.suffix));
-        out.stream() << index.dump(1) << '\n';
-        out.commit();
-    }
+    for (const Dump& dump : dumps_) writeDump(options_.out, stem_, dump);
 }
 
 }  // namespace gno::host

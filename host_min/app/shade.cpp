@@ -5,103 +5,17 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "host_min/app/effects.hpp"
 #include "host_min/app/outputs.hpp"
+#include "host_min/app/result.hpp"
 #include "host_min/error.hpp"
 #include "host_min/interrupt.hpp"
-#include "host_min/oracle.hpp"
 #include "host_min/output/atomic_file.hpp"
 #include "host_min/output/table.hpp"
-#include "host_min/techniques/measure.hpp"
 
 namespace gno::host {
 namespace {
-
-/// Time of a bare full-screen pass that reads the samples and writes a mask.
-double measureFloor(const FrameInputs& inputs, uint32_t repeat) {
-    const Image visibility(inputs.device(), inputs.width(), inputs.height(), vk::Format::eR32Uint);
-    const ExamplePush push = inputs.push();
-    const std::array resources{Binding{"gnoSamples", &inputs.samples()}, Binding{"gnoVisibility", &visibility}};
-    {
-        Recording recording(inputs.device());
-        recording.toGeneral(visibility);
-        recording.submit();
-    }
-    const auto times = measure(inputs.device(), std::max(repeat, 3u), true, [&](Recording& recording) {
-        recording.beginPass("floor");
-        inputs.passes()
-            .compute("core/examples/floor.comp")
-            .dispatch(recording, resources, std::as_bytes(std::span(&push, 1)), (inputs.width() + 7) / 8, (inputs.height() + 7) / 8);
-        recording.endPass();
-    });
-    return times.front().ms;
-}
-
-bool answersForMaterials(const TechniqueInfo& info) {
-    return std::any_of(info.effects.begin(), info.effects.end(), [](const std::string& effect) { return effect == "alpha_tested_casters" || effect == "coloured_casters"; });
-}
-
-/// `withSums`: some technique answers for casters that are not opaque.
-OracleAnswer askOracle(Oracle& oracle, const FrameInputs& inputs, bool withSums, Progress& progress) {
-    const std::vector<uint8_t> casters = inputs.definitionCasters();
-    std::vector<OracleSample> samples;
-    samples.reserve(inputs.sampleCount());
-    for (const OracleSample& pixel : inputs.pixels())
-        if (pixel.own <= GNO_NO_CASTER) samples.push_back(pixel);
-    OracleQuestion question{inputs.frame().triangles, casters, inputs.light(), samples};
-    if (withSums) {
-        question.surfaceOf = inputs.frame().surfaceOf;
-        question.surfaces = inputs.frame().surfaces;
-        question.look = inputs.frame().look.get();
-    }
-    return oracle.ask(question, [&](double fraction) {
-        throwIfInterrupted();
-        progress.show("oracle", fraction);
-    });
-}
-
-/// With sums, they have to be equal as well; then a wrong sample is a leak where too much light arrives, and false dark elsewhere.
-RecordCheck compare(const TechniqueResult& result, const FrameInputs& inputs, const OracleAnswer& answer) {
-    RecordCheck check;
-    size_t sample = 0;
-    for (size_t pixel = 0; pixel < result.visibility.size(); ++pixel) {
-        if (inputs.pixels()[pixel].own > GNO_NO_CASTER) continue;
-        const size_t i = sample++;
-        const bool dark = result.sums.empty() ? answer.inShadow[i] != 0 : answer.sums[i] == glm::uvec3(kNoLight);
-        const bool sameSums = result.sums.empty() || result.sums[pixel] == answer.sums[i];
-        ++check.checked;
-        if (sameSums && result.visibility[pixel] == (dark ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT)) continue;
-        const bool want = sameSums ? dark : glm::any(glm::lessThan(result.sums[pixel], answer.sums[i]));
-        ++check.wrong;
-        check.leaks += want;
-        check.falseDark += !want;
-    }
-    check.self = answer.selfShadowed;
-    check.witness = answer.witnessDisagreements;
-    return check;
-}
-
-Record makeRecord(const ShadeOptions& options, const FrameInputs& inputs, const Technique& technique, const TechniqueResult& result) {
-    Record record;
-    record.scene = options.scene.string();
-    record.technique = technique.info().name;
-    record.precision = name(options.precision);
-    record.settings = Settings(technique.info().settings, options.settings).json();
-    record.settings.update(Settings(frameSettings(), options.settings).json());
-    const DeviceFacts& device = inputs.device().facts();
-    record.device = {device.deviceName, fmt::format("{} {}", device.driverName, device.driverInfo), device.subgroupSize};
-    record.size = {inputs.width(), inputs.height()};
-    record.triangles = inputs.triangleCount();
-    record.casters = inputs.casterCount();
-    record.samples = inputs.sampleCount();
-    record.inShadow = uint64_t(std::count(result.visibility.begin(), result.visibility.end(), GNO_VISIBILITY_SHADOW));
-    record.passes = result.passes;
-    record.bytes = result.bytes;
-    record.counters = result.counters;
-    return record;
-}
 
 /// Before the work and not after it: what is to be written can be written.
 void checkOutputs(const ShadeOptions& options) {
@@ -117,8 +31,12 @@ void checkOutputs(const ShadeOptions& options) {
     const AtomicFile probe(options.json);
 }
 
-Cull cullByName(const std::string& word) {
-    return word == "front" ? Cull::front : word == "hull" ? Cull::hull : word == "all" ? Cull::all : Cull::none;
+/// Pixels without a view sample have no query.
+void checkTrace(const ShadeOptions& options, const FrameInputs& inputs) {
+    if (!options.trace) return;
+    const glm::uvec2 at = *options.trace;
+    if (inputs.pixels()[size_t(at.y) * inputs.width() + at.x].own > GNO_NO_CASTER)
+        throw InputError(fmt::format("--trace {},{}: that pixel shows the background or a surface that faces away from the light, so it has no query", at.x, at.y));
 }
 
 }  // namespace
@@ -147,6 +65,8 @@ bool shade(const ShadeOptions& options) {
         leftOut += fmt::format("{}left out {}: the device lacks {}", leftOut.empty() ? "" : "\n", technique->info().name, missing);
     }
     std::erase_if(chosen, [&](const Technique* technique) { return !missingFor(technique->info(), device.facts()).empty(); });
+    if (options.trace && std::none_of(chosen.begin(), chosen.end(), [](const Technique* technique) { return technique->info().traces; }))
+        throw InputError("--trace: none of the techniques can log a query: use psv, d-psv, d-stackless or d-hybrid");
     checkOutputs(options);
     PassCache passes(device);
     std::vector<Record> records;
@@ -165,10 +85,17 @@ bool shade(const ShadeOptions& options) {
         for (uint32_t light = options.light.value_or(0); light <= options.light.value_or(lightCount - 1); ++light) {
             progress.show("view samples");
             inputs.setLight(frame.lights.at(light).homogeneous, cull);
-            const double floorMs = measureFloor(inputs, options.repeat);
+            checkTrace(options, inputs);
+            const double floorMs = measureFloor(inputs, std::max(options.repeat, 3u), true);
             std::optional<OracleAnswer> answer;
-            const bool withSums = inputs.hasMaterials() && std::any_of(chosen.begin(), chosen.end(), [](Technique* t) { return answersForMaterials(t->info()); });
-            if (oracle) answer = askOracle(*oracle, inputs, withSums, progress);
+            const bool withSums =
+                inputs.hasMaterials() && std::any_of(chosen.begin(), chosen.end(), [](Technique* t) { return answersForMaterials(t->info()); });
+            if (oracle) {
+                answer = askOracle(*oracle, inputs, withSums, [&](double fraction) {
+                    throwIfInterrupted();
+                    progress.show("oracle", fraction);
+                });
+            }
             StructureCache structures;
             FrameOutputs outputs(options, inputs, file, number, light);
             const size_t firstRecord = records.size();
@@ -176,14 +103,19 @@ bool shade(const ShadeOptions& options) {
                 throwIfInterrupted();
                 progress.show(technique->info().name);
                 const TechniqueResult result = technique->run(inputs, structures, Settings(technique->info().settings, options.settings),
-                                                              {options.precision, options.repeat, true, options.dump});
-                Record record = makeRecord(options, inputs, *technique, result);
+                                                              {options.precision, options.repeat, true, options.dump, true, options.trace});
+                Record record = makeRecord(inputs, result);
+                record.scene = options.scene.string();
+                record.technique = technique->info().name;
+                record.precision = name(options.precision);
+                record.settings = Settings(technique->info().settings, options.settings).json();
+                record.settings.update(Settings(frameSettings(), options.settings).json());
                 record.frame = number;
                 record.light = light;
                 record.floorMs = floorMs;
                 for (const Effect& effect : effectsOf(file, frame, int(light))) record.effects.push_back(effect.name);
                 if (answer) record.check = compare(result, inputs, *answer);
-                outputs.add(*technique, result, answer ? &*answer : nullptr);
+                outputs.add(record, result, answer ? &*answer : nullptr);
                 records.push_back(std::move(record));
             }
             throwIfInterrupted();

@@ -10,6 +10,7 @@
 #include "glsl/top/node.h"
 #include "host_min/error.hpp"
 #include "host_min/frame/cull_hull.hpp"
+#include "host_min/vulkan/acceleration_structure.hpp"
 
 namespace gno::host {
 namespace {
@@ -22,6 +23,12 @@ std::vector<uint32_t> closedBits(const Frame& frame) {
     for (size_t i = 0; i < frame.closed.size(); ++i)
         if (frame.closed[i]) bits[i / 32] |= 1u << (i % 32);
     return bits;
+}
+
+/// Where the device has ray queries, an acceleration structure may be built from the casters as they lie.
+vk::BufferUsageFlags casterUsage(const DeviceFacts& device) {
+    const vk::BufferUsageFlags usage = vk::BufferUsageFlagBits::eStorageBuffer;
+    return device.rayQuery ? usage | AccelerationStructure::kInputUsage : usage;
 }
 
 /// Sign of det[b - a, c - a, l - a * w] on the grid: > 0, the light sees the front. Integers, independent of the shader.
@@ -52,7 +59,7 @@ FrameInputs::FrameInputs(PassCache& passes, const Frame& frame, uint32_t width, 
       width_(width),
       height_(height),
       givenSamples_(givenSamples),
-      casters_(passes.device(), frame.triangles.size() * sizeof(Triangle)),
+      casters_(passes.device(), frame.triangles.size() * sizeof(Triangle), casterUsage(passes.device().facts())),
       states_(passes.device(), frame.triangles.size() * 4),
       closed_(passes.device(), (frame.triangles.size() + 31) / 32 * 4),
       camera_(passes.device(), sizeof(glm::mat4), vk::BufferUsageFlagBits::eUniformBuffer),

@@ -295,20 +295,30 @@ NamedNumbers ClusterHierarchy::bytes() const {
 }
 
 std::vector<DumpedBuffer> ClusterHierarchy::dump() const {
-    std::vector<DumpedBuffer> result{{"frame", "GnoClusterFrame, GnoClusterLayout", frame_.download()},
-                                     {"header", "GnoClusterHeader", header_.download()},
-                                     {"slices", "float start[slices + 1]", slices_.download()},
-                                     {"masks", "uint word[words]", masks_.download()},
-                                     {"volumes", "vec4 plane[7 * casters]", volumes_.download()}};
+    const auto words = [](const Buffer& buffer, uint64_t count) {  // the buffer itself may be longer
+        std::vector<std::byte> bytes = buffer.download();
+        bytes.resize(4 * count);
+        return bytes;
+    };
+    const uint64_t masks = gnoClusterWordCount(layout_);
+    const uint32_t boxWords = layout_.form == GNO_CLUSTER_FLAT ? 1 : 3;
+    std::vector<DumpedBuffer> result{{"frame", "GnoClusterFrame, GnoClusterLayout", frame_.download(), uint32_t(frame_.bytes() / 4)},
+                                     {"header", "GnoClusterHeader", header_.download(), sizeof(GnoClusterHeader) / 4},
+                                     {"slices", "float start[slices + 1]", words(slices_, uint64_t(gnoClusterSlices(layout_)) + 1)},
+                                     {"masks", "uint word[words]: as the traversal left them, without the nodes that were accepted", words(masks_, masks)},
+                                     {"volumes", "vec4 plane[7 * casters]", words(volumes_, 28 * uint64_t(inputs_.triangleCount())), 28}};
     if (layout_.form != GNO_CLUSTER_IMPLICIT) {
         for (const auto& [name, buffer] : {std::pair("low", &low_), std::pair("high", &high_)}) {
-            std::vector<std::byte> bytes = buffer->download();
-            if (layout_.form == GNO_CLUSTER_COMPACT)  // what the list holds
-                bytes.resize(12 * size_t(std::min(options_.boxCapacity, header_.downloadAs<GnoClusterHeader>().front().boxCount)));
-            result.push_back({name, layout_.form == GNO_CLUSTER_FLAT ? "float depth[nodes]" : "float xyz[3 * boxes]", std::move(bytes)});
+            uint64_t boxes = gnoClusterNodeCount(layout_);
+            if (layout_.form == GNO_CLUSTER_COMPACT) boxes = std::min(options_.boxCapacity, header_.downloadAs<GnoClusterHeader>().front().boxCount);
+            result.push_back({name, layout_.form == GNO_CLUSTER_FLAT ? "float depth[nodes]" : "float xyz[3 * boxes]", words(*buffer, boxWords * boxes), boxWords});
         }
     }
-    if (layout_.form == GNO_CLUSTER_COMPACT) result.push_back({"pointers", "uvec2 firstBoxAndMask[words]", pointers_.download()});
+    if (layout_.form == GNO_CLUSTER_COMPACT) result.push_back({"pointers", "uvec2 firstBoxAndMask[words]", words(pointers_, 2 * masks), 2});
+    Recording recording(inputs_.device());
+    recordBuild(recording);  // gives the accepted nodes back
+    recording.submit();
+    result.push_back({"masks_built", "uint word[words]: as built, a bit for each occupied child", words(masks_, masks)});
     return result;
 }
 

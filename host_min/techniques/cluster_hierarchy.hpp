@@ -51,6 +51,7 @@ public:
 
     [[nodiscard]] const GnoClusterLayout& layout() const { return layout_; }
     [[nodiscard]] NamedNumbers bytes() const;
+    /// After a run. Builds the hierarchy again at the end, for its masks before the traversal.
     [[nodiscard]] std::vector<DumpedBuffer> dump() const;
 
 private:

@@ -7,6 +7,8 @@
 #include "host_min/error.hpp"
 #include "host_min/techniques/clusters.hpp"
 #include "host_min/techniques/forest.hpp"
+#include "host_min/techniques/ray_query.hpp"
+#include "host_min/techniques/shadow_map.hpp"
 #include "host_min/techniques/technique.hpp"
 #include "host_min/techniques/top.hpp"
 
@@ -19,12 +21,16 @@ const std::vector<std::unique_ptr<Technique>>& techniques() {
         made.push_back(makeClusterTechnique(false));
         made.push_back(makeClusterTechnique(true));
         made.push_back(makeForestTechnique());
+        made.push_back(makeShadowMapTechnique());
+        made.push_back(makeRayQueryTechnique());
         return made;
     }();
     return list;
 }
 
 std::string missingFor(const TechniqueInfo& info, const DeviceFacts& device) {
+    if (info.rayQuery && !device.rayQuery)
+        return "VkPhysicalDeviceRayQueryFeaturesKHR::rayQuery with accelerationStructure and bufferDeviceAddress (VK_KHR_ray_query)";
     return info.subgroupBallot && !device.subgroupBallot ? "VkPhysicalDeviceSubgroupProperties::supportedOperations: VK_SUBGROUP_FEATURE_BALLOT_BIT in compute shaders" : "";
 }
 
@@ -35,10 +41,8 @@ const std::vector<std::pair<std::string, std::string>>& plannedTechniques() {
         {"zp+", "stencil shadow volumes, ZP+"},
         {"++zp", "stencil shadow volumes, ++ZP"},
         {"atomic-zp", "stencil shadow volumes, AtomicZP 2019"},
-        {"shadow-map", "shadow maps, with caster culling of 2011"},
         {"light-bvh", "light-space bounding volume hierarchy"},
-        {"light-grid", "caster lists by light direction"},
-        {"ray-query", "VK_KHR_ray_query"}};
+        {"light-grid", "caster lists by light direction"}};
     return list;
 }
 

@@ -21,19 +21,26 @@ std::pair<std::string, std::string> split(const std::string& text) {
     return {text.substr(0, at), text.substr(at + 1)};
 }
 
+template <class Number, class... Format>
+bool isNumberBetween(const std::string& text, uint32_t minimum, uint32_t maximum, Format... format) {
+    Number number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, format...);
+    return error == std::errc{} && end == text.data() + text.size() && number >= minimum && number <= maximum;
+}
+
 void checkValue(const SettingInfo& info, const std::string& value) {
-    bool good = std::find(info.choices.begin(), info.choices.end(), value) != info.choices.end();
-    if (info.choices.empty()) {
-        uint32_t number = 0;
-        const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-        good = error == std::errc{} && end == value.data() + value.size() && number >= info.minimum && number <= info.maximum;
-    }
+    const bool good = !info.choices.empty() ? std::find(info.choices.begin(), info.choices.end(), value) != info.choices.end()
+                      : info.decimals       ? isNumberBetween<double>(value, info.minimum, info.maximum, std::chars_format::fixed)
+                                            : isNumberBetween<uint32_t>(value, info.minimum, info.maximum);
     if (!good) throw InputError(fmt::format("--set {}={}: must be {}", info.key, value, info.range()));
 }
 
 }  // namespace
 
-std::string SettingInfo::range() const { return choices.empty() ? fmt::format("{}..{}", minimum, maximum) : fmt::format("{}", fmt::join(choices, "|")); }
+std::string SettingInfo::range() const {
+    if (!choices.empty()) return fmt::format("{}", fmt::join(choices, "|"));
+    return decimals ? fmt::format("{}.0..{}.0", minimum, maximum) : fmt::format("{}..{}", minimum, maximum);
+}
 
 Settings::Settings(std::span<const SettingInfo> known, std::span<const std::string> given) {
     std::map<std::string, std::string> chosen;
@@ -46,7 +53,7 @@ Settings::Settings(std::span<const SettingInfo> known, std::span<const std::stri
         const std::string value = at == chosen.end() ? info.fallback : at->second;
         checkValue(info, value);
         values_.emplace_back(info.key, value);
-        isNumber_[info.key] = info.choices.empty();
+        kinds_[info.key] = !info.choices.empty() ? Kind::word : info.decimals ? Kind::decimals : Kind::whole;
     }
 }
 
@@ -58,11 +65,16 @@ const std::string& Settings::word(const std::string& key) const {
 
 uint32_t Settings::number(const std::string& key) const { return uint32_t(std::stoul(word(key))); }
 
+double Settings::real(const std::string& key) const { return std::stod(word(key)); }
+
 nlohmann::ordered_json Settings::json() const {
     nlohmann::ordered_json result = nlohmann::ordered_json::object();
     for (const auto& [name, value] : values_) {
-        if (isNumber_.at(name)) result[name] = std::stoul(value);
-        else result[name] = value;
+        switch (kinds_.at(name)) {
+            case Kind::word: result[name] = value; break;
+            case Kind::whole: result[name] = std::stoul(value); break;
+            case Kind::decimals: result[name] = std::stod(value); break;
+        }
     }
     return result;
 }

@@ -4,6 +4,7 @@
 #include <any>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct TechniqueInfo {
     std::vector<SettingInfo> settings;
     std::vector<std::string> effects;  ///< what it can answer for: point_light, directional_light, ...
     bool subgroupBallot = false;       ///< needs subgroup ballots in compute shaders, beyond what the host needs anyway
+    bool rayQuery = false;             ///< needs VK_KHR_ray_query and what belongs to it
+    bool traces = false;               ///< can log the way of one pixel's query (RunOptions::trace)
 };
 
 /// What the device lacks for this technique, by Vulkan's field name; empty: nothing.
@@ -35,11 +38,13 @@ struct RunOptions {
     bool counters = true;  ///< make the instrumented run as well
     bool dump = false;     ///< hand over the buffers
     bool warmUp = true;    ///< false: the pipelines have run before, or nobody reads the times
+    std::optional<glm::uvec2> trace{};  ///< with dump and counters, where the technique can: log the way of this pixel's query
 };
 
 struct DumpedBuffer {
     std::string name, layout;  ///< layout: the record's type, in words of glsl/*/ *.h
     std::vector<std::byte> bytes;
+    uint32_t words = 1;  ///< of 32 bits, in a record
 };
 
 struct TechniqueResult {
@@ -52,6 +57,7 @@ struct TechniqueResult {
     NamedNumbers bytes;
     RecordCounters counters;
     std::vector<DumpedBuffer> dump;
+    std::optional<glm::uvec2> traced{};  ///< the pixel whose way the dump holds
 };
 
 /// Structures that several techniques share for one frame and light, by a key that names all they depend on.

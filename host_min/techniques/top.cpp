@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host_min/techniques/query_pass.hpp"
+#include "host_min/techniques/top_trace.hpp"
 #include "host_min/techniques/top_tree.hpp"
 
 namespace gno::host {
@@ -14,18 +15,19 @@ namespace {
 struct Variant {
     const char* name;
     const char* shader;  ///< of glsl/top/examples, without its ending
+    const char* trace;   ///< the same query, logging the nodes it loads
     uint32_t stack;      ///< default; 0: it has none
     bool depthTest;
 };
 
 constexpr Variant variantOf(TopQuery query) {
     switch (query) {
-        case TopQuery::psv: return {"psv", "query_stack", 32, false};
-        case TopQuery::dPsv: return {"d-psv", "query_stack", 32, true};
-        case TopQuery::dStackless: return {"d-stackless", "query_stackless", 0, true};
+        case TopQuery::psv: return {"psv", "query_stack", "trace_stack", 32, false};
+        case TopQuery::dPsv: return {"d-psv", "query_stack", "trace_stack", 32, true};
+        case TopQuery::dStackless: return {"d-stackless", "query_stackless", "trace_stackless", 0, true};
         case TopQuery::dHybrid: break;
     }
-    return {"d-hybrid", "query_hybrid", 12, true};
+    return {"d-hybrid", "query_hybrid", "trace_hybrid", 12, true};
 }
 
 class TopTechnique final : public Technique {
@@ -34,6 +36,7 @@ public:
         info_.name = variant_.name;
         info_.paper = "Deep Partitioned Shadow Volumes, EGSR 2016";
         info_.precisions = {Precision::published, Precision::conservative, Precision::certified};
+        info_.traces = true;
         info_.effects = {"point_light", "directional_light", "spot_light", "open_casters"};
         if (variant_.stack > 0)
             info_.settings.push_back({"stack", "entries of the query's stack", 1, 64, {}, std::to_string(variant_.stack)});
@@ -52,11 +55,9 @@ public:
         TechniqueResult result;
         result.passes = tree.passes();
         result.bytes = {{"tree", tree.bytes()}};
-        Specialization constants{{0, uint32_t(options.precision)}, {2, variant_.depthTest ? 1u : 0u}};
-        if (variant_.stack > 0) constants[1] = settings.number("stack");
         ask(inputs,
             {std::string("top/examples/") + variant_.shader,
-             constants,
+             constants(settings, options),
              {{"gnoTopPlanes", &tree.planes()}, {"gnoTopLinks", &tree.links()}, {"gnoTopHeader", &tree.header()}},
              "top_query",
              settings.word("stage") == "fragment"},
@@ -66,14 +67,31 @@ public:
                                 {"build_steps", tree.counters().steps},
                                 {"intersection_steps", tree.counters().intersections}};
         if (options.dump) {
-            result.dump.push_back({"planes", "vec4 plane[4 * casters]", tree.planes().download()});
-            result.dump.push_back({"links", "GnoTopLink link[4 * casters]", tree.links().download()});
-            result.dump.push_back({"header", "GnoTopHeader", tree.header().download()});
+            result.dump.push_back({"planes", "vec4 plane[4 * casters]", tree.planes().download(), 4});
+            result.dump.push_back({"links", "GnoTopLink link[4 * casters]", tree.links().download(), 4});
+            result.dump.push_back({"header", "GnoTopHeader", tree.header().download(), 4});
+            if (options.counters) {
+                const TracedPixel pixel = tracedPixel(inputs, options, result);
+                for (DumpedBuffer& buffer : traceTopQuery(inputs, tree, variant_.trace, constants(settings, options), pixel)) result.dump.push_back(std::move(buffer));
+                result.traced = options.trace;
+            }
         }
         return result;
     }
 
 private:
+    /// Room for as many nodes as the instrumented query counted.
+    static TracedPixel tracedPixel(const FrameInputs& inputs, const RunOptions& options, const TechniqueResult& result) {
+        if (!options.trace) return {};
+        return {*options.trace, result.visitedNodes[size_t(options.trace->y) * inputs.width() + options.trace->x]};
+    }
+
+    Specialization constants(const Settings& settings, const RunOptions& options) const {
+        Specialization result{{0, uint32_t(options.precision)}, {2, variant_.depthTest ? 1u : 0u}};
+        if (variant_.stack > 0) result[1] = settings.number("stack");
+        return result;
+    }
+
     Variant variant_;
     TechniqueInfo info_;
 };

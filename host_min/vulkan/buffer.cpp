@@ -13,13 +13,14 @@ namespace {
 
 constexpr uint64_t kStagingBytes = 64u << 20;  // larger transfers go in pieces
 
-vk::raii::DeviceMemory allocate(const Device& device, const vk::MemoryRequirements& needs, vk::MemoryPropertyFlags wanted) {
+vk::raii::DeviceMemory allocate(const Device& device, const vk::MemoryRequirements& needs, vk::MemoryPropertyFlags wanted, vk::MemoryAllocateFlags flags = {}) {
+    const vk::MemoryAllocateFlagsInfo more(flags);
     try {
-        return {device.handle(), vk::MemoryAllocateInfo(needs.size, device.memoryType(needs.memoryTypeBits, wanted))};
+        return {device.handle(), vk::MemoryAllocateInfo(needs.size, device.memoryType(needs.memoryTypeBits, wanted), flags ? &more : nullptr)};
     } catch (const vk::OutOfDeviceMemoryError&) {
-        throw WorkError(fmt::format("the device has no memory left for {} bytes: use a smaller --size or scene", needs.size));
+        throw MemoryError(fmt::format("the device has no memory left for {} bytes: use a smaller --size or scene", needs.size));
     } catch (const vk::OutOfHostMemoryError&) {
-        throw WorkError(fmt::format("no memory left for {} bytes: use a smaller --size or scene", needs.size));
+        throw MemoryError(fmt::format("no memory left for {} bytes: use a smaller --size or scene", needs.size));
     }
 }
 
@@ -31,9 +32,13 @@ Buffer::Buffer(const Device& device, uint64_t bytes, vk::BufferUsageFlags usage)
                                      device.facts().maxStorageBufferRange));
     usage |= vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst;
     buffer_ = vk::raii::Buffer(device.handle(), vk::BufferCreateInfo({}, bytes_, usage));
-    memory_ = allocate(device, buffer_.getMemoryRequirements(), vk::MemoryPropertyFlagBits::eDeviceLocal);
+    const bool hasAddress = bool(usage & vk::BufferUsageFlagBits::eShaderDeviceAddress);
+    memory_ = allocate(device, buffer_.getMemoryRequirements(), vk::MemoryPropertyFlagBits::eDeviceLocal,
+                       hasAddress ? vk::MemoryAllocateFlagBits::eDeviceAddress : vk::MemoryAllocateFlags());
     buffer_.bindMemory(*memory_, 0);
 }
+
+vk::DeviceAddress Buffer::address() const { return device_->handle().getBufferAddress(vk::BufferDeviceAddressInfo(*buffer_)); }
 
 void Buffer::upload(std::span<const std::byte> data, uint64_t offset) {
     if (data.empty()) return;

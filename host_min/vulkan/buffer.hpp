@@ -17,6 +17,8 @@ public:
     [[nodiscard]] vk::Buffer handle() const { return *buffer_; }
     [[nodiscard]] uint64_t bytes() const { return bytes_; }
 
+    [[nodiscard]] vk::DeviceAddress address() const;  ///< usage held eShaderDeviceAddress
+
     void upload(std::span<const std::byte> data, uint64_t offset = 0);
     void fill(uint32_t word);  ///< the whole buffer; tests poison outputs with it
     [[nodiscard]] std::vector<std::byte> download() const;

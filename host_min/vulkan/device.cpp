@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
@@ -12,6 +13,10 @@
 
 namespace gno::host {
 namespace {
+
+// What ray queries need; enabled together, and only on a device that has all of it (DeviceFacts::rayQuery).
+constexpr std::array kRayQueryExtensions{VK_KHR_RAY_QUERY_EXTENSION_NAME, VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
+                                         VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME};
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 
@@ -56,6 +61,17 @@ std::optional<uint32_t> findQueueFamily(const vk::raii::PhysicalDevice& device) 
     return std::nullopt;
 }
 
+bool hasRayQuery(const vk::raii::PhysicalDevice& device) {
+    const auto there = device.enumerateDeviceExtensionProperties();
+    for (const char* wanted : kRayQueryExtensions)
+        if (std::none_of(there.begin(), there.end(), [&](const auto& extension) { return std::string_view(extension.extensionName) == wanted; })) return false;
+    const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features, vk::PhysicalDeviceAccelerationStructureFeaturesKHR,
+                                              vk::PhysicalDeviceRayQueryFeaturesKHR>();
+    return features.get<vk::PhysicalDeviceRayQueryFeaturesKHR>().rayQuery &&
+           features.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().accelerationStructure &&
+           features.get<vk::PhysicalDeviceVulkan12Features>().bufferDeviceAddress;
+}
+
 DeviceFacts factsOf(const vk::raii::PhysicalDevice& device) {
     const auto properties = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties, vk::PhysicalDeviceSubgroupProperties>();
     const auto& base = properties.get<vk::PhysicalDeviceProperties2>().properties;
@@ -83,7 +99,12 @@ DeviceFacts factsOf(const vk::raii::PhysicalDevice& device) {
         const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan13Features>();
         facts.dynamicRendering = features.get<vk::PhysicalDeviceVulkan13Features>().dynamicRendering;
         facts.synchronization2 = features.get<vk::PhysicalDeviceVulkan13Features>().synchronization2;
+        facts.rayQuery = hasRayQuery(device);
     }
+    if (facts.rayQuery)
+        facts.scratchAlignment = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceAccelerationStructurePropertiesKHR>()
+                                     .get<vk::PhysicalDeviceAccelerationStructurePropertiesKHR>()
+                                     .minAccelerationStructureScratchOffsetAlignment;
     return facts;
 }
 
@@ -124,6 +145,16 @@ Device::Device(const DeviceOptions& options) : instance_(makeInstance(context_, 
     features13.dynamicRendering = features13.synchronization2 = VK_TRUE;
     vk::DeviceCreateInfo info({}, queue);
     info.pNext = &features13;
+    vk::PhysicalDeviceVulkan12Features features12;
+    vk::PhysicalDeviceAccelerationStructureFeaturesKHR structures;
+    vk::PhysicalDeviceRayQueryFeaturesKHR queries;
+    features12.bufferDeviceAddress = structures.accelerationStructure = queries.rayQuery = VK_TRUE;
+    if (facts_.rayQuery) {
+        info.setPEnabledExtensionNames(kRayQueryExtensions);
+        features13.pNext = &features12;
+        features12.pNext = &structures;
+        structures.pNext = &queries;
+    }
     device_ = vk::raii::Device(physical_, info);
     queue_ = device_.getQueue(queueFamily_, 0);
 }

@@ -23,6 +23,7 @@ public:
     Device& operator=(const Device&) = delete;
 
     [[nodiscard]] const vk::raii::Device& handle() const { return device_; }
+    [[nodiscard]] const vk::raii::PhysicalDevice& physical() const { return physical_; }
     [[nodiscard]] const vk::raii::Queue& queue() const { return queue_; }
     [[nodiscard]] uint32_t queueFamily() const { return queueFamily_; }
     [[nodiscard]] const DeviceFacts& facts() const { return facts_; }

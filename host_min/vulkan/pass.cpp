@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <stdexcept>
 
+#include "host_min/vulkan/acceleration_structure.hpp"
 #include "host_min/vulkan/buffer.hpp"
 #include "host_min/vulkan/device.hpp"
 #include "host_min/vulkan/image.hpp"
@@ -36,6 +38,12 @@ struct Stage {
     [[nodiscard]] vk::PipelineShaderStageCreateInfo info() const { return {{}, interface.stage, *module, "main", &specialization}; }
 };
 
+std::vector<ShaderInterface> interfacesOf(std::string_view vertex, std::string_view fragment) {
+    std::vector<ShaderInterface> result{reflect(embeddedShader(vertex))};
+    if (!fragment.empty()) result.push_back(reflect(embeddedShader(fragment)));
+    return result;
+}
+
 }  // namespace
 
 PassLayout::PassLayout(const Device& device, std::span<const ShaderInterface> stages) : device_(&device) {
@@ -49,6 +57,11 @@ PassLayout::PassLayout(const Device& device, std::span<const ShaderInterface> st
         }
         if (stage.pushConstantBytes > 0) pushStages_ |= stage.stage;
         pushBytes_ = std::max(pushBytes_, stage.pushConstantBytes);
+    }
+    for (auto& [place, binding] : byPlace) {
+        if (binding.descriptorType != vk::DescriptorType::eCombinedImageSampler) continue;
+        if (!*nearest_) nearest_ = vk::raii::Sampler(device.handle(), vk::SamplerCreateInfo());
+        binding.setImmutableSamplers(*nearest_);
     }
     const uint32_t setCount = byPlace.empty() ? 0 : byPlace.rbegin()->first.first + 1;
     std::vector<vk::DescriptorSetLayout> handles;
@@ -70,6 +83,8 @@ void PassLayout::bind(Recording& recording, vk::PipelineBindPoint point, std::sp
     for (const auto& layout : sets_) sets.push_back(recording.allocateSet(*layout));
     std::vector<vk::DescriptorBufferInfo> buffers(bindings_.size());
     std::vector<vk::DescriptorImageInfo> images(bindings_.size());
+    std::vector<vk::AccelerationStructureKHR> structures(bindings_.size());
+    std::vector<vk::WriteDescriptorSetAccelerationStructureKHR> structureWrites(bindings_.size());
     std::vector<vk::WriteDescriptorSet> writes;
     for (size_t i = 0; i < bindings_.size(); ++i) {
         const ShaderBinding& wanted = bindings_[i];
@@ -79,6 +94,10 @@ void PassLayout::bind(Recording& recording, vk::PipelineBindPoint point, std::sp
         if (const auto* buffer = std::get_if<const Buffer*>(&given->resource)) {
             buffers[i] = vk::DescriptorBufferInfo((*buffer)->handle(), 0, VK_WHOLE_SIZE);
             write.pBufferInfo = &buffers[i];
+        } else if (const auto* structure = std::get_if<const AccelerationStructure*>(&given->resource)) {
+            structures[i] = (*structure)->handle();
+            structureWrites[i] = vk::WriteDescriptorSetAccelerationStructureKHR(1, &structures[i]);
+            write.pNext = &structureWrites[i];
         } else {
             images[i] = vk::DescriptorImageInfo({}, std::get<const Image*>(given->resource)->view(), vk::ImageLayout::eGeneral);
             write.pImageInfo = &images[i];
@@ -116,15 +135,17 @@ void ComputePass::dispatchIndirect(Recording& recording, std::span<const Binding
 
 RasterPass::RasterPass(const Device& device, std::string_view vertex, std::string_view fragment, std::span<const vk::Format> colors, bool depth,
                        const Specialization& constants)
-    : layout_(device, std::array{reflect(embeddedShader(vertex)), reflect(embeddedShader(fragment))}) {
+    : layout_(device, interfacesOf(vertex, fragment)), depthOnly_(fragment.empty()) {
     const Stage vertexStage(device, embeddedShader(vertex), constants);
-    const Stage fragmentStage(device, embeddedShader(fragment), constants);
-    const std::array stages{vertexStage.info(), fragmentStage.info()};
+    std::optional<Stage> fragmentStage;
+    std::vector stages{vertexStage.info()};
+    if (!depthOnly_) stages.push_back(fragmentStage.emplace(device, embeddedShader(fragment), constants).info());
     const vk::PipelineVertexInputStateCreateInfo vertexInput;
     const vk::PipelineInputAssemblyStateCreateInfo assembly({}, vk::PrimitiveTopology::eTriangleList);
     const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
     vk::PipelineRasterizationStateCreateInfo raster;
     raster.lineWidth = 1;
+    raster.depthBiasEnable = depthOnly_;
     const vk::PipelineMultisampleStateCreateInfo multisample;
     const vk::PipelineDepthStencilStateCreateInfo depthState({}, depth, depth, vk::CompareOp::eGreater);
     vk::PipelineColorBlendAttachmentState opaque;
@@ -132,7 +153,8 @@ RasterPass::RasterPass(const Device& device, std::string_view vertex, std::strin
     opaque.colorWriteMask = Write::eR | Write::eG | Write::eB | Write::eA;
     const std::vector<vk::PipelineColorBlendAttachmentState> attachments(colors.size(), opaque);
     const vk::PipelineColorBlendStateCreateInfo blend({}, VK_FALSE, {}, attachments);
-    const std::array dynamic{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
+    std::vector dynamic{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
+    if (depthOnly_) dynamic.push_back(vk::DynamicState::eDepthBias);
     const vk::PipelineDynamicStateCreateInfo dynamicState({}, dynamic);
     vk::PipelineRenderingCreateInfo rendering(0, colors);
     if (depth) rendering.depthAttachmentFormat = vk::Format::eD32Sfloat;
@@ -157,13 +179,30 @@ void RasterPass::draw(Recording& recording, std::span<const Target> colors, cons
                                                       vk::ClearValue(vk::ClearDepthStencilValue(0.0f, 0)));
         rendering.pDepthAttachment = &depthAttachment;
     }
+    drawInto(recording, rendering, 0, resources, push, vertices, 0);
+}
+
+void RasterPass::drawDepth(Recording& recording, const Image& depth, uint32_t layer, float slopeBias, std::span<const Binding> resources,
+                           std::span<const std::byte> push, uint32_t vertices) const {
+    const vk::RenderingAttachmentInfo attachment(depth.layer(layer), vk::ImageLayout::eGeneral, vk::ResolveModeFlagBits::eNone, nullptr,
+                                                 vk::ImageLayout::eUndefined, vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore,
+                                                 vk::ClearValue(vk::ClearDepthStencilValue(0.0f, 0)));
+    vk::RenderingInfo rendering({}, vk::Rect2D({0, 0}, depth.extent()), 1, 0);
+    rendering.pDepthAttachment = &attachment;
+    drawInto(recording, rendering, slopeBias, resources, push, vertices, layer);
+}
+
+void RasterPass::drawInto(Recording& recording, const vk::RenderingInfo& rendering, float slopeBias, std::span<const Binding> resources,
+                          std::span<const std::byte> push, uint32_t vertices, uint32_t instance) const {
+    const vk::Extent2D extent = rendering.renderArea.extent;
     const vk::CommandBuffer commands = recording.commands();
     commands.beginRendering(rendering);
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_);
     commands.setViewport(0, vk::Viewport(0, 0, float(extent.width), float(extent.height), 0, 1));
     commands.setScissor(0, vk::Rect2D({0, 0}, extent));
+    if (depthOnly_) commands.setDepthBias(0, 0, slopeBias);
     layout_.bind(recording, vk::PipelineBindPoint::eGraphics, resources, push);
-    commands.draw(vertices, 1, 0, 0);
+    commands.draw(vertices, 1, 0, instance);
     commands.endRendering();
 }
 

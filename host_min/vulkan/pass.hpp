@@ -13,6 +13,7 @@
 
 namespace gno::host {
 
+class AccelerationStructure;
 class Buffer;
 class Device;
 class Image;
@@ -20,7 +21,7 @@ class Recording;
 
 struct Binding {
     std::string_view name;
-    std::variant<const Buffer*, const Image*> resource;
+    std::variant<const Buffer*, const Image*, const AccelerationStructure*> resource;
 };
 
 using Specialization = std::map<uint32_t, uint32_t>;  ///< constant id -> 32-bit value; ids that the shader lacks are ignored
@@ -38,6 +39,7 @@ private:
     std::vector<ShaderBinding> bindings_;
     vk::ShaderStageFlags pushStages_;
     uint32_t pushBytes_ = 0;
+    vk::raii::Sampler nearest_{nullptr};  // of every combined image sampler: shaders fetch texels
     std::vector<vk::raii::DescriptorSetLayout> sets_;
     vk::raii::PipelineLayout layout_{nullptr};
 };
@@ -56,7 +58,8 @@ private:
     vk::raii::Pipeline pipeline_{nullptr};
 };
 
-/// A vertex and a fragment shader over colour attachments and, with depth, a reversed depth buffer (clear 0, greater passes). Triangles, no culling.
+/// A vertex and a fragment shader over colour attachments and, with depth, a reversed depth buffer (clear 0, greater passes); without a fragment shader
+/// a depth buffer alone. Triangles, no culling.
 class RasterPass {
 public:
     RasterPass(const Device& device, std::string_view vertex, std::string_view fragment, std::span<const vk::Format> colors, bool depth,
@@ -68,10 +71,18 @@ public:
     /// Clears the attachments (in the general layout) and draws `vertices` vertices.
     void draw(Recording& recording, std::span<const Target> colors, const Image* depth, std::span<const Binding> resources, std::span<const std::byte> push,
               uint32_t vertices) const;
+    /// Without a fragment shader: clears one layer of a depth array (in the general layout) and draws into it; the instance index is the layer's.
+    /// `slopeBias` is Vulkan's depthBiasSlopeFactor.
+    void drawDepth(Recording& recording, const Image& depth, uint32_t layer, float slopeBias, std::span<const Binding> resources,
+                   std::span<const std::byte> push, uint32_t vertices) const;
 
 private:
+    void drawInto(Recording& recording, const vk::RenderingInfo& rendering, float slopeBias, std::span<const Binding> resources,
+                  std::span<const std::byte> push, uint32_t vertices, uint32_t instance) const;
+
     PassLayout layout_;
     vk::raii::Pipeline pipeline_{nullptr};
+    bool depthOnly_;
 };
 
 }  // namespace gno::host

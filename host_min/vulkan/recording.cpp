@@ -31,9 +31,11 @@ vk::DescriptorSet Recording::allocateSet(vk::DescriptorSetLayout layout) {
         } catch (const vk::OutOfPoolMemoryError&) {  // take another pool
         }
     }
-    const std::array sizes{vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, 8 * kSetsPerPool),
-                           vk::DescriptorPoolSize(vk::DescriptorType::eUniformBuffer, 2 * kSetsPerPool),
-                           vk::DescriptorPoolSize(vk::DescriptorType::eStorageImage, 4 * kSetsPerPool)};
+    std::vector sizes{vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, 8 * kSetsPerPool),
+                      vk::DescriptorPoolSize(vk::DescriptorType::eUniformBuffer, 2 * kSetsPerPool),
+                      vk::DescriptorPoolSize(vk::DescriptorType::eStorageImage, 4 * kSetsPerPool),
+                      vk::DescriptorPoolSize(vk::DescriptorType::eCombinedImageSampler, kSetsPerPool)};
+    if (device_.facts().rayQuery) sizes.emplace_back(vk::DescriptorType::eAccelerationStructureKHR, kSetsPerPool);
     descriptorPools_.emplace_back(device_.handle(), vk::DescriptorPoolCreateInfo({}, kSetsPerPool, sizes));
     return allocate();
 }
@@ -48,9 +50,9 @@ void Recording::barrier() {
 void Recording::toGeneral(const Image& image) {
     using Stage = vk::PipelineStageFlagBits2;
     using Access = vk::AccessFlagBits2;
-    const vk::ImageMemoryBarrier2 transition(Stage::eAllCommands, Access::eMemoryWrite, Stage::eAllCommands, Access::eMemoryRead | Access::eMemoryWrite,
-                                             vk::ImageLayout::eUndefined, vk::ImageLayout::eGeneral, VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
-                                             image.handle(), {image.aspect(), 0, 1, 0, 1});
+    const vk::ImageMemoryBarrier2 transition(
+        Stage::eAllCommands, Access::eMemoryWrite, Stage::eAllCommands, Access::eMemoryRead | Access::eMemoryWrite, vk::ImageLayout::eUndefined,
+        vk::ImageLayout::eGeneral, VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED, image.handle(), {image.aspect(), 0, 1, 0, image.layers()});
     commands_.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, transition));
 }
 
@@ -86,7 +88,8 @@ std::vector<PassTime> Recording::submit() {
     }
     std::vector<PassTime> times;
     if (!passes_.empty()) {
-        const auto [result, ticks] = queries_.getResults<uint64_t>(0, uint32_t(2 * passes_.size()), 16 * passes_.size(), 8, vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
+        const auto [result, ticks] = queries_.getResults<uint64_t>(0, uint32_t(2 * passes_.size()), 16 * passes_.size(), 8,
+                                                                   vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
         if (result != vk::Result::eSuccess) throw WorkError("reading time stamps failed");
         for (size_t i = 0; i < passes_.size(); ++i)
             times.push_back({passes_[i], double(ticks[2 * i + 1] - ticks[2 * i]) * device_.timestampPeriod() * 1e-6});

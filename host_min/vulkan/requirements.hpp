@@ -27,6 +27,8 @@ struct DeviceFacts {
     uint32_t maxComputeWorkGroupInvocations = 1024;
     uint32_t subgroupSize = 8;
     bool subgroupBallot = true;  ///< VK_SUBGROUP_FEATURE_BALLOT_BIT, in compute shaders
+    bool rayQuery = false;       ///< rayQuery, accelerationStructure and bufferDeviceAddress, and the extensions that carry them
+    uint32_t scratchAlignment = 1;  ///< minAccelerationStructureScratchOffsetAlignment, where rayQuery is true
 };
 
 /// What is missing, one entry each, by Vulkan's field name; empty: the device qualifies.

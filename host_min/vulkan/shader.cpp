@@ -50,6 +50,8 @@ ShaderInterface reflect(std::span<const uint32_t> spirv) {
     add(resources.storage_buffers, vk::DescriptorType::eStorageBuffer);
     add(resources.uniform_buffers, vk::DescriptorType::eUniformBuffer);
     add(resources.storage_images, vk::DescriptorType::eStorageImage);
+    add(resources.acceleration_structures, vk::DescriptorType::eAccelerationStructureKHR);
+    add(resources.sampled_images, vk::DescriptorType::eCombinedImageSampler);
     for (const spirv_cross::Resource& resource : resources.push_constant_buffers)
         result.pushConstantBytes = uint32_t(compiler.get_declared_struct_size(compiler.get_type(resource.base_type_id)));
     for (const spirv_cross::SpecializationConstant& constant : compiler.get_specialization_constants())

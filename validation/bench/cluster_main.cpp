@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "host_min/app/result.hpp"
+#include "host_min/output/guarded.hpp"
 #include "validation/bench/cluster_tables.hpp"
 #include "validation/bench/program.hpp"
 
@@ -35,7 +37,7 @@ int run(int argc, char** argv) {
     if (!bench::parse(app, argc, argv)) return 0;
     bench::readSize(size, job.width, job.height);
     job.precision = host::precisionByName(precision);
-    job.cull = bench::cullByName(cull);
+    job.cull = host::cullByName(cull);
 
     const host::Device device(host::DeviceOptions::fromEnvironment());
     host::checkSize(device.facts(), job.width, job.height);
@@ -57,5 +59,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return gno::bench::guarded("gnomon-bench-clusters", [&] { return run(argc, argv); });
+    return gno::host::guarded("gnomon-bench-clusters", "use a smaller --size or scene", [&] { return run(argc, argv); });
 }

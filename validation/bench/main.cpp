@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "host_min/app/result.hpp"
+#include "host_min/output/guarded.hpp"
 #include "validation/bench/program.hpp"
 #include "validation/bench/tables.hpp"
 
@@ -30,7 +32,7 @@ int run(int argc, char** argv) {
     if (!bench::parse(app, argc, argv)) return 0;
     bench::readSize(size, base.width, base.height);
     base.precisions = {host::precisionByName(precision)};
-    base.cull = bench::cullByName(cull);
+    base.cull = host::cullByName(cull);
 
     const bool bothLights = table == "ladder" || table == "routing" || table == "own";
     const host::Device device(host::DeviceOptions::fromEnvironment());
@@ -60,5 +62,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return gno::bench::guarded("gnomon-bench", [&] { return run(argc, argv); });
+    return gno::host::guarded("gnomon-bench", "use a smaller --size or scene", [&] { return run(argc, argv); });
 }

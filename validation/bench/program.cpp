@@ -22,10 +22,6 @@ bool parse(CLI::App& app, int argc, char** argv) {
     return true;
 }
 
-host::Cull cullByName(const std::string& word) {
-    return word == "front" ? host::Cull::front : word == "hull" ? host::Cull::hull : word == "all" ? host::Cull::all : host::Cull::none;
-}
-
 void readSize(const std::string& text, uint32_t& width, uint32_t& height) {
     if (std::sscanf(text.c_str(), "%ux%u", &width, &height) != 2) throw host::InputError("--size: write WIDTHxHEIGHT");
 }
@@ -33,18 +29,6 @@ void readSize(const std::string& text, uint32_t& width, uint32_t& height) {
 std::string describe(const host::Device& device) {
     const host::DeviceFacts& f = device.facts();
     return fmt::format("{}, {} {}, subgroup width {}", f.deviceName, f.driverName, f.driverInfo, f.subgroupSize);
-}
-
-int guarded(const char* program, const std::function<int()>& run) {
-    try {
-        return run();
-    } catch (const host::InputError& error) {
-        std::fprintf(stderr, "%s: %s\n", program, error.what());
-        return 2;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s: %s\n", program, error.what());
-        return 1;
-    }
 }
 
 }  // namespace gno::bench

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What the programs of this folder share around their tables.
 #pragma once
-#include <functional>
 #include <string>
 
-#include "host_min/frame/inputs.hpp"
+#include "host_min/vulkan/device.hpp"
 
 namespace CLI {
 class App;
@@ -15,11 +14,7 @@ namespace gno::bench {
 /// Parses; prints the help and returns false when it was asked for. Throws InputError.
 bool parse(CLI::App& app, int argc, char** argv);
 
-host::Cull cullByName(const std::string& word);                             ///< none, front, hull or all
 void readSize(const std::string& text, uint32_t& width, uint32_t& height);  ///< "WIDTHxHEIGHT"; throws InputError
 std::string describe(const host::Device& device);                           ///< name, driver and subgroup width
-
-/// `run`, with its exceptions as one line on standard error; returns the exit code: 2 for bad input, 1 for all else.
-int guarded(const char* program, const std::function<int()>& run);
 
 }  // namespace gno::bench

@@ -7,11 +7,18 @@
 layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
 #define GNO_LIGHT push.light
 #define GNO_CLUSTER_FORM GNO_CLUSTER_COMPACT
+#define GNO_SHADOW_MAP_MEASURES 1
 #define GNO_CLUSTER_LOAD_SAMPLE(pixel_) GnoViewSample(push.position.xyz, uint((pixel_).x))
 #include "gnomon/core/bindings.glsl"
 #include "gnomon/core/material_bindings.glsl"
 #include "gnomon/top/bindings.glsl"
 #include "gnomon/clusters/bindings.glsl"
+#include "gnomon/shadow_map/map_bindings.glsl"
+#include "gnomon/shadow_map/bindings.glsl"
+#include "gnomon/shadow_map/view.h"
+#include "gnomon/shadow_map/query.glsl"
+#include "gnomon/shadow_map/project.glsl"
+#include "gnomon/shadow_map/fit.glsl"
 #include "gnomon/clusters/volume.glsl"
 #include "gnomon/clusters/traverse.glsl"
 #include "gnomon/clusters/nodes.glsl"
@@ -27,6 +34,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/top/plane.glsl"
 #include "gnomon/top/node.h"
 #include "gnomon/top/build.glsl"
+#include "gnomon/rivals/ray_query_index.glsl"
 #include "gnomon/core/transmittance_sum.glsl"
 #include "gnomon/core/transmittance.glsl"
 #include "gnomon/core/shared_types.h"
@@ -57,5 +65,7 @@ void main() {
     gnoClusterAddTile(gl_WorkGroupID.xy, gl_LocalInvocationID.x, s, GNO_CLUSTER_MASKS_OF_NODES);
     gnoClusterExpand();
     dark = dark || gnoClusterInShadow(uvec2(at, push.seed), s.position);
+    gnoShadowMapMeasure(s);
+    dark = dark || gnoShadowMapQuery(s);
     results.v[at] = uint(inserted) + uint(dark);
 }

@@ -9,8 +9,8 @@
 
 namespace gno::host::oracle {
 
-/// One entry per sample, 1 = something but the sample's own triangle is between it and the light. Throws WorkError when Embree fails.
-/// Rays start at the sample (tnear 0) and end just before a point light; edge-on casters are hit or missed as fp32 has it.
+/// One entry per sample, 1 = something but the sample's own triangle is between it and the light (embree_scene.hpp, robust mode). Throws WorkError when
+/// Embree fails.
 std::vector<uint8_t> askWitness(const OracleQuestion& question, const std::function<void(double)>& progress);
 
 }  // namespace gno::host::oracle

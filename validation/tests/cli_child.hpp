@@ -37,6 +37,7 @@ struct Outcome {
 struct ChildOptions {
     std::map<std::string, std::string> environment;  ///< on top of ours
     std::string standardOutput;                      ///< a file; empty: kept in Outcome::out
+    std::string program = GNOMON_PROGRAM;
 };
 
 /// One run of the program; begins in the constructor.
@@ -46,7 +47,7 @@ public:
         static int count = 0;
         out_ = options.standardOutput.empty() ? (folder / ("stdout." + std::to_string(count))).string() : options.standardOutput;
         err_ = (folder / ("stderr." + std::to_string(count++))).string();
-        std::vector<std::string> words{GNOMON_PROGRAM};
+        std::vector<std::string> words{options.program};
         words.insert(words.end(), arguments.begin(), arguments.end());
         std::vector<char*> argv;
         for (std::string& word : words) argv.push_back(word.data());
@@ -58,7 +59,7 @@ public:
         if (out < 0 || err < 0 || dup2(out, STDOUT_FILENO) < 0 || dup2(err, STDERR_FILENO) < 0 || chdir(folder.c_str()) != 0) _exit(126);
         setenv("GNOMON_VALIDATE", "0", 1);
         for (const auto& [name, value] : options.environment) setenv(name.c_str(), value.c_str(), 1);
-        execv(GNOMON_PROGRAM, argv.data());
+        execv(argv[0], argv.data());
         _exit(127);
     }
     Child(const Child&) = delete;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the program writes: records by their contract, EXR layers by name, pictures, dumped buffers; and the commands that only tell.
 #include <algorithm>
+#include <cstring>
+#include <numeric>
 #include <variant>
 
 #include "glsl/clusters/cluster.h"
@@ -100,9 +102,10 @@ TEST(Shade, AllTechniquesAndLightsWithEverythingWritten) {
                                        : std::vector{"shaded", "mask", "sample_tests", "difference"})
             expected.insert(stem + "-" + name + "-" + picture + ".png");
         expected.insert(stem + ".exr");
-        std::vector<const char*> dumps{"header.bin", "casters.bin", "samples.bin", "dump.json"};
+        std::vector<const char*> dumps{"header.bin", "casters.bin", "states.bin", "samples.bin", "visibility.bin", "oracle_shadow.bin", "oracle_caster.bin", "dump.json"};
         for (const char* more :
-             top ? std::vector{"planes.bin", "links.bin"} : std::vector{"frame.bin", "slices.bin", "masks.bin", "volumes.bin", "low.bin", "high.bin"})
+             top ? std::vector{"planes.bin", "links.bin", "visits.bin", "visited_nodes.bin", "deepest_stack.bin"}
+                : std::vector{"frame.bin", "slices.bin", "masks.bin", "masks_built.bin", "volumes.bin", "low.bin", "high.bin", "sample_tests.bin"})
             dumps.push_back(more);
         if (!top && !flat) dumps.push_back("pointers.bin");
         for (const char* dumped : dumps) expected.insert(stem + "-" + name + "-" + dumped);
@@ -112,6 +115,7 @@ TEST(Shade, AllTechniquesAndLightsWithEverythingWritten) {
         std::map<std::string, uint64_t> bytes;
         for (const Json& buffer : index["buffers"]) {
             bytes[buffer["name"]] = buffer["bytes"];
+            EXPECT_EQ(buffer["bytes"], 4 * buffer["words"].get<uint64_t>() * buffer["count"].get<uint64_t>()) << buffer["name"];
             EXPECT_EQ(fs::file_size(stage.out() / buffer["file"].get<std::string>()), buffer["bytes"].get<uint64_t>()) << buffer["name"];
         }
         EXPECT_EQ(bytes.at("casters"), 14u * 36);
@@ -146,6 +150,60 @@ TEST(Shade, AllTechniquesAndLightsWithEverythingWritten) {
         const bool isPng = readFile(entry.path()).starts_with("\x89PNG\r\n");
         EXPECT_EQ(isPng, entry.path().extension() == ".png") << entry.path();
     }
+}
+
+std::vector<uint32_t> wordsOf(const std::string& path) {
+    const std::string bytes = readFile(path);
+    std::vector<uint32_t> words(bytes.size() / 4);
+    std::memcpy(words.data(), bytes.data(), 4 * words.size());
+    return words;
+}
+
+TEST(Shade, TraceIsWhatTheCountersCounted) {
+    const Stage stage;
+    const std::string scene = stage.write("scene.glb", smallScene().glb());
+    constexpr uint32_t kWidth = 37;
+    shade(stage, {scene, "--technique", "psv", "--size", "37x23", "--dump", "--no-pictures"});
+    const auto counts = wordsOf((stage.out() / "scene-l0-f000-psv.certified-visited_nodes.bin").string());
+    const auto busiest = uint32_t(std::max_element(counts.begin(), counts.end()) - counts.begin());
+    const uint32_t x = busiest % kWidth, y = busiest / kWidth;
+    for (const char* precision : {"published", "certified"}) {
+        const auto records = shade(stage, {scene, "--technique", "all", "--size", "37x23", "--dump", "--no-pictures", "--precision", precision, "--set", "stack=1",
+                                           "--trace", std::to_string(x) + "," + std::to_string(y)});
+        for (const Json& record : records) {
+            const std::string stem = (stage.out() / ("scene-l0-f000-" + record["technique"].get<std::string>() + "." + precision + "-")).string();
+            const Json index = Json::parse(readFile(stem + "dump.json"));
+            EXPECT_EQ(index["record"], record);
+            EXPECT_EQ(index.contains("trace"), isTop(record["technique"]));
+            if (!isTop(record["technique"])) continue;
+            const auto visits = wordsOf(stem + "visits.bin"), visited = wordsOf(stem + "visited_nodes.bin"), trace = wordsOf(stem + "trace.bin");
+            EXPECT_EQ(std::accumulate(visits.begin(), visits.end(), uint64_t(0)), record["counters"]["visited_nodes"].get<uint64_t>());
+            ASSERT_EQ(trace.size(), 2 * size_t(visited.at(busiest)));
+            ASSERT_GT(trace.size(), 2u);
+            const uint32_t root = wordsOf(stem + "header.bin")[0];
+            EXPECT_EQ(trace[0], root);
+            const auto links = wordsOf(stem + "links.bin");
+            for (size_t i = 0; i < trace.size(); i += 2) {  // each step is a link of the tree
+                const uint32_t node = trace[i], before = i > 0 ? trace[i - 2] : 0;
+                switch (trace[i + 1]) {
+                    case 0: EXPECT_EQ(i, 0u); break;
+                    case 1: EXPECT_EQ(node, before + 1); break;
+                    case 2: EXPECT_EQ(node, links[4 * before]); break;
+                    case 3: EXPECT_EQ(node, links[4 * before + 1]); break;
+                    case 4: EXPECT_NE(record["technique"], "d-stackless"); break;
+                    case 5: EXPECT_EQ(node, links[4 * ((before & ~3u) + 1) + 2]); break;
+                    default: EXPECT_EQ(trace[i + 1], 6u); EXPECT_EQ(node, root); break;
+                }
+            }
+        }
+    }
+}
+
+TEST(Shade, TraceOfAPixelWithoutSample) {
+    const Stage stage;
+    const std::string scene = stage.write("scene.glb", smallScene().glb());
+    expectRefusal(stage, stage.shade({scene, "--technique", "psv", "--size", "37x23", "--dump", "--trace", "0,0"}), 2, "background");
+    expectRefusal(stage, stage.shade({scene, "--technique", "ptsv", "--size", "37x23", "--dump", "--trace", "17,20"}), 2, "d-hybrid");
 }
 
 TEST(Shade, EveryRungAndNoPictures) {
@@ -296,7 +354,7 @@ TEST(Tell, Techniques) {
     expectDone(outcome);
     for (const std::string& technique : kAll) EXPECT_NE(outcome.out.find("\n" + technique + " "), std::string::npos) << technique;
     for (const char* part :
-         {"not in this build yet", "shadow-map", "--set stack=1..64", "--set cull=none|front|hull|all", "default 12", "default 32"})
+         {"not in this build yet", "\nshadow-map ", "--set stack=1..64", "--set bias=0.0..64.0", "--set map=512..8192", "--set cull=none|front|hull|all", "default 12", "default 32"})
         EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
 }
 

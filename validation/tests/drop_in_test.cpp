@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // glsl/ as a user takes it: copied under another folder, included from shaders that are not ours. Every file of validation/drop_in is one case:
 // SPIR-V for Vulkan 1.0 (with subgroup operations 1.1) with GNO_COUNTERS 0, for Vulkan 1.2 with GNO_COUNTERS 1, valid, and with no capability but
-// Shader, except where clusters/traverse.glsl asks for subgroup operations and ballots.
+// Shader, except where clusters/traverse.glsl asks for subgroup operations and ballots, and where rivals/ray_query.glsl asks for ray queries (GLSL 4.60, Vulkan 1.2).
 // NAME.expect_fail.comp must fail, with the #error that its comment names.
 #include <gtest/gtest.h>
 
@@ -52,7 +52,8 @@ class DropIn : public testing::TestWithParam<fs::path> {};
 
 TEST_P(DropIn, CompilesAndNeedsNoDeviceFeature) {
     const std::string text = readText(GetParam());
-    ASSERT_EQ(text.rfind("#version 450\n", 0), 0u) << "the modules claim that 450 is enough";
+    const bool rays = text.find("/rivals/ray_query.glsl\"") != std::string::npos;  // the only module that says so
+    ASSERT_EQ(text.rfind(rays ? "#version 460\n" : "#version 450\n", 0), 0u) << "the modules claim that this is enough";
     std::set<std::string> extensions = extensionsOf(text);
     EXPECT_EQ(extensions.erase("GL_GOOGLE_include_directive"), 1u);
     const bool byAddress = extensions.erase("GL_EXT_buffer_reference") == 1;  // the user's own wish
@@ -60,16 +61,18 @@ TEST_P(DropIn, CompilesAndNeedsNoDeviceFeature) {
     const bool subgroups = text.find("/clusters/traverse.glsl\"") != std::string::npos;  // the only module that says so
     for (const char* of : {"GL_KHR_shader_subgroup_basic", "GL_KHR_shader_subgroup_ballot"})
         EXPECT_EQ(extensions.erase(of), subgroups ? 1u : 0u) << of;
+    EXPECT_EQ(extensions.erase("GL_EXT_ray_query"), rays ? 1u : 0u);
     EXPECT_TRUE(extensions.empty()) << "the other modules claim to need no extension beyond include";
 
     const Mount mount(kGlsl);
     for (const bool counters : {false, true}) {
-        const Mount::Compiled compiled = mount.compile(GetParam(), counters ? "vulkan1.2" : subgroups ? "vulkan1.1" : "vulkan1.0", counters);
+        const Mount::Compiled compiled = mount.compile(GetParam(), counters || rays ? "vulkan1.2" : subgroups ? "vulkan1.1" : "vulkan1.0", counters);
         ASSERT_TRUE(compiled.good) << "GNO_COUNTERS " << counters << "\n" << compiled.output;
         std::set<uint32_t> capabilities = firstOperands(compiled.spirv, 17);                                // OpCapability
         EXPECT_EQ(capabilities.erase(1), 1u);                                                               // Shader
         EXPECT_EQ(capabilities.erase(5347), byAddress ? 1u : 0u);                                           // PhysicalStorageBufferAddresses
         for (const uint32_t of : {61u, 64u}) EXPECT_EQ(capabilities.erase(of), subgroups ? 1u : 0u) << of;  // GroupNonUniform, GroupNonUniformBallot
+        EXPECT_EQ(capabilities.erase(4472), rays ? 1u : 0u);                                                // RayQueryKHR
         EXPECT_TRUE(capabilities.empty()) << "capability " << *capabilities.begin();
     }
 }
@@ -127,17 +130,21 @@ TEST(DropInCoverage, EveryErrorHasACase) {
     EXPECT_GE(errors, 6u);
 }
 
-/// Every module is in the three shaders that include all of them; every module that a user calls has a shader of its own in both stages.
+/// Every module is in the three shaders that include all of them (those that need ray queries in one of their own); every module that a user calls has a shader of its own in both stages.
 TEST(DropInCoverage, EveryModuleIsIncluded) {
     const std::set<std::string> parts{
         "core/int128.glsl", "core/portable.h", "core/shared_types.h", "core/bindings.glsl", "core/material.h",    "core/material_bindings.glsl",
-        "top/node.h",       "top/plane.glsl",  "top/visit.glsl",      "top/bindings.glsl",  "clusters/cluster.h", "clusters/bindings.glsl"};
+        "top/node.h",       "top/plane.glsl",  "top/visit.glsl",      "top/bindings.glsl",  "clusters/cluster.h", "clusters/bindings.glsl",
+        "rivals/ray_query_bindings.glsl", "shadow_map/view.h", "shadow_map/bindings.glsl", "shadow_map/map_bindings.glsl"};
+    const std::set<std::string> rays{"rivals/ray_query.glsl", "rivals/ray_query_bindings.glsl"};
     const std::set<std::string> computeOnly{"clusters/build.glsl", "clusters/traverse.glsl"};  // shared memory; a whole subgroup that calls together
     for (const auto& entry : fs::recursive_directory_iterator(kGlsl)) {
         const std::string module = fs::relative(entry.path(), kGlsl).string();
         const std::string extension = entry.path().extension();
         if ((extension != ".glsl" && extension != ".h") || module.find("examples/") != std::string::npos) continue;
-        for (const char* all : {"all_modules.comp", "all_modules_reversed.comp", "all_modules_twice.comp"})
+        std::set<std::string> inclusive{"rivals_ray_query.all_modules.comp"};
+        if (!rays.contains(module)) inclusive.insert({"all_modules.comp", "all_modules_reversed.comp", "all_modules_twice.comp"});
+        for (const std::string& all : inclusive)
             EXPECT_NE(readText(kDropIn / all).find("#include \"gnomon/" + module + "\"\n"), std::string::npos) << all << " lacks " << module;
         std::string own = module.substr(0, module.rfind('.'));
         std::replace(own.begin(), own.end(), '/', '_');

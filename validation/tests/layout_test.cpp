@@ -7,6 +7,7 @@
 #include <spirv_cross/spirv_cross.hpp>
 
 #include "glsl/clusters/cluster.h"
+#include "glsl/shadow_map/view.h"
 #include "glsl/top/node.h"
 #include "host_min/frame/inputs.hpp"
 #include "host_min/vulkan/shader.hpp"
@@ -177,6 +178,20 @@ TEST(Layout, HeaderAndArraysOfAClusterHierarchy) {
         EXPECT_EQ(traverse.stride(words), 4u) << words;
     for (const char* pairs : {"gnoClusterPointers", "gnoClusterInfo", "gnoClusterJobs"}) EXPECT_EQ(traverse.stride(pairs), 8u) << pairs;
     EXPECT_EQ(7 * traverse.stride("gnoClusterVolumes"), 112u);
+}
+
+TEST(Layout, ViewsOfAShadowMap) {
+    const std::vector<Member> header{MEMBER(GnoShadowMapHeader, viewCount), MEMBER(GnoShadowMapHeader, size), MEMBER(GnoShadowMapHeader, unused0),
+                                     MEMBER(GnoShadowMapHeader, unused1)};
+    const std::vector<Member> view{MEMBER(GnoShadowMapView, x), MEMBER(GnoShadowMapView, y), MEMBER(GnoShadowMapView, z), MEMBER(GnoShadowMapView, w),
+                                   MEMBER(GnoShadowMapView, bias)};
+    for (const std::string shader : {"fit.comp", "depth.vert", "query.comp", "query.frag"}) {
+        SCOPED_TRACE(shader);
+        const Reflection reflection("shadow_map/examples/" + shader);
+        expectSame(reflection.member("gnoShadowMapViews", 0), header, sizeof(GnoShadowMapHeader));
+        expectSame(reflection.member("gnoShadowMapViews", 1), view, sizeof(GnoShadowMapView));
+        EXPECT_EQ(reflection.whole("gnoShadowMapViews").members.at(1).offset, sizeof(GnoShadowMapHeader));
+    }
 }
 
 TEST(Layout, CastersArePackedFloats) {

@@ -2,6 +2,8 @@
 // `--set KEY=VALUE` and the command line: defaults, and one line for every wrong word.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "host_min/app/options.hpp"
@@ -12,7 +14,8 @@ namespace {
 
 const std::vector<SettingInfo> kKnown{{"stack", "entries", 1, 64, {}, "12"},
                                       {"seed", "of the order", 0, 4294967295u, {}, "1"},
-                                      {"stage", "shader stage", 0, 0, {"compute", "fragment"}, "compute"}};
+                                      {"stage", "shader stage", 0, 0, {"compute", "fragment"}, "compute"},
+                                      {"bias", "in texels", 0, 64, {}, "1.5", true}};
 
 /// The InputError's text, which must be one line; empty: none was thrown.
 template <class Work>
@@ -70,13 +73,16 @@ TEST(Settings, Defaults) {
     EXPECT_EQ(settings.number("stack"), 12u);
     EXPECT_EQ(settings.number("seed"), 1u);
     EXPECT_EQ(settings.word("stage"), "compute");
-    EXPECT_EQ(settings.json().dump(), R"({"stack":12,"seed":1,"stage":"compute"})");
+    EXPECT_EQ(settings.real("bias"), 1.5);
+    EXPECT_EQ(settings.json().dump(), R"({"stack":12,"seed":1,"stage":"compute","bias":1.5})");
 }
 
 TEST(Settings, GivenValues) {
-    const std::vector<std::string> given{"stage=fragment", "seed=4294967295", "stack=64", "elsewhere=7"};
+    const std::vector<std::string> given{"stage=fragment", "seed=4294967295", "stack=64", "elsewhere=7", "bias=0.25"};
     const Settings settings(kKnown, given);
-    EXPECT_EQ(settings.json().dump(), R"({"stack":64,"seed":4294967295,"stage":"fragment"})");
+    EXPECT_EQ(settings.json().dump(), R"({"stack":64,"seed":4294967295,"stage":"fragment","bias":0.25})");
+    for (const auto& [text, value] : std::map<std::string, double>{{"0", 0}, {"64", 64}, {"64.0", 64}, {".5", 0.5}, {"3.", 3}})
+        EXPECT_EQ(Settings(kKnown, std::vector<std::string>{"bias=" + text}).real("bias"), value) << text;
     EXPECT_EQ(complaintOf({"stack=1"}), "");
 }
 
@@ -86,6 +92,8 @@ TEST(Settings, WrongValuesTellTheRange) {
         const std::string text = complaintOf({wrong});
         EXPECT_TRUE(says(text, wrong) && says(text, "1..64")) << wrong << ": " << text;
     }
+    for (const char* wrong : {"bias=-0.5", "bias=64.1", "bias=", "bias=nan", "bias=inf", "bias=1e1", "bias=0x1", "bias=1,5", "bias=1.5 ", "bias=+1", "bias=."})
+        EXPECT_TRUE(says(complaintOf({wrong}), std::string(wrong) + ": must be 0.0..64.0")) << wrong;
     for (const char* wrong : {"seed=4294967296", "seed=-1", "seed="}) EXPECT_TRUE(says(complaintOf({wrong}), "0..4294967295")) << wrong;
     for (const char* wrong : {"stage=vertex", "stage=", "stage=Compute", "stage=compute,fragment"})
         EXPECT_TRUE(says(complaintOf({wrong}), "compute|fragment")) << wrong;
@@ -227,7 +235,12 @@ TEST(TechniqueChoice, Lists) {
     EXPECT_EQ(chosenNames({"--technique", "psv,psv"}), std::vector<std::string>{"psv"});
     EXPECT_TRUE(chosenNames({}).empty());
     EXPECT_TRUE(chosenNames({"--technique", "auto"}).empty());
-    EXPECT_EQ(chosenNames({"--technique", "all"}).size(), techniques().size());
+    EXPECT_EQ(chosenNames({"--technique", "all", "--precision", "published"}).size(), techniques().size());
+    const auto certified = std::count_if(techniques().begin(), techniques().end(), [](const auto& technique) {
+        const auto& rungs = technique->info().precisions;
+        return std::find(rungs.begin(), rungs.end(), Precision::certified) != rungs.end();
+    });
+    EXPECT_EQ(chosenNames({"--technique", "all"}).size(), size_t(certified));
     for (const char* none : {"", ",", ",,"}) EXPECT_TRUE(says(choiceComplaint({"--technique", none}), "--technique")) << none;
 }
 
@@ -247,6 +260,8 @@ TEST(TechniqueChoice, KeysOfTheChosenOnesOnly) {
     EXPECT_EQ(choiceComplaint({"--technique", "psv,d-stackless", "--set", "stack=8"}), "");
     const std::string text = choiceComplaint({"--technique", "d-stackless", "--set", "stack=8"});
     EXPECT_TRUE(says(text, "stack") && says(text, "known here") && says(text, "seed") && says(text, "cull")) << text;
+    EXPECT_TRUE(says(choiceComplaint({"--technique", "psv", "--set", "map=2048"}), "map"));
+    EXPECT_EQ(choiceComplaint({"--technique", "psv,shadow-map", "--precision", "published", "--set", "map=512", "--set", "stack=8"}), "");
     for (const char* technique : {"psv", "all", "auto"}) {
         EXPECT_TRUE(says(choiceComplaint({"--technique", technique, "--set", "stakc=12"}), "stakc")) << technique;
         EXPECT_TRUE(says(choiceComplaint({"--technique", technique, "--set", "stack=many"}), "stack=many")) << technique;
@@ -271,6 +286,11 @@ TEST(TechniqueChoice, ARungThatATechniqueLacks) {
     list.push_back(std::make_unique<PublishedOnly>());
     ShadeOptions options;
     std::string leftOut;
+    options.allTechniques = true;
+    for (const Technique* technique : chooseTechniques(options, leftOut)) EXPECT_NE(technique->info().name, "shadow-map");
+    EXPECT_EQ(leftOut, "left out, no precision certified: shadow-map");
+    options.allTechniques = false;
+    leftOut.clear();
     options.techniques = {"published-only"};
     EXPECT_TRUE(says(complaint([&] { chooseTechniques(options, leftOut, list); }), "published-only has no precision certified"));
     options.precision = Precision::published;

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// main() of every query in a compute shader: one invocation per pixel. GNO_EXAMPLE_QUERY(sample) is the query.
+// main() of every query in a compute shader: one invocation per pixel. GNO_EXAMPLE_QUERY(sample) is the query,
+// GNO_EXAMPLE_COUNTS what an instrumented one stores of its counters.
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 2, binding = 0, rgba32ui) uniform readonly uimage2D gnoSamples;
 layout(set = 2, binding = 1, r32ui) uniform writeonly uimage2D gnoVisibility;
 #if GNO_COUNTERS
-layout(set = 2, binding = 2, rgba32ui) uniform writeonly uimage2D gnoCounts;  // visited nodes, deepest stack, overflows, exact calls
+layout(set = 2, binding = 2, rgba32ui) uniform writeonly uimage2D gnoCounts;
+#ifndef GNO_EXAMPLE_COUNTS
+#define GNO_EXAMPLE_COUNTS uvec4(gnoCounters.visitedNodes, gnoCounters.deepestStack, gnoCounters.stackOverflows, gnoCounters.exactCalls)
+#endif
 #endif
 
 void main() {
@@ -15,6 +19,6 @@ void main() {
     if (s.own <= GNO_NO_CASTER) visibility = GNO_EXAMPLE_QUERY(s) ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT;
     imageStore(gnoVisibility, pixel, uvec4(visibility));
 #if GNO_COUNTERS
-    imageStore(gnoCounts, pixel, uvec4(gnoCounters.visitedNodes, gnoCounters.deepestStack, gnoCounters.stackOverflows, gnoCounters.exactCalls));
+    imageStore(gnoCounts, pixel, GNO_EXAMPLE_COUNTS);
 #endif
 }

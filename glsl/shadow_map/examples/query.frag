@@ -1,0 +1,11 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Pass 3: the answer.
+#include "../../core/sample.glsl"
+#include "../../core/examples/frame.glsl"
+#include "../bindings.glsl"
+#include "../map_bindings.glsl"
+#include "../query.glsl"
+#define GNO_EXAMPLE_QUERY(s_) gnoShadowMapQuery(s_)
+#include "../../core/examples/query_frag.glsl"

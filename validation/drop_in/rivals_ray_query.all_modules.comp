@@ -1,0 +1,65 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_ray_query : require
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_ballot : require
+// SPDX-License-Identifier: MIT
+// All modules in one shader, those that need ray queries included: no two names clash.
+layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
+#define GNO_LIGHT push.light
+#define GNO_CLUSTER_FORM GNO_CLUSTER_COMPACT
+#define GNO_CLUSTER_LOAD_SAMPLE(pixel_) GnoViewSample(push.position.xyz, uint((pixel_).x))
+#include "gnomon/core/bindings.glsl"
+#include "gnomon/core/caster_state.glsl"
+#include "gnomon/core/counters.glsl"
+#include "gnomon/core/decide.glsl"
+#include "gnomon/core/hit_weights.glsl"
+#include "gnomon/core/int128.glsl"
+#include "gnomon/core/light.glsl"
+#include "gnomon/core/material.h"
+#include "gnomon/core/material_bindings.glsl"
+#include "gnomon/core/orient3d.glsl"
+#include "gnomon/core/permutation.glsl"
+#include "gnomon/core/portable.h"
+#include "gnomon/core/sample.glsl"
+#include "gnomon/core/shared_types.h"
+#include "gnomon/core/transmittance.glsl"
+#include "gnomon/core/transmittance_sum.glsl"
+#include "gnomon/clusters/bindings.glsl"
+#include "gnomon/clusters/bounds.glsl"
+#include "gnomon/clusters/build.glsl"
+#include "gnomon/clusters/cluster.h"
+#include "gnomon/clusters/key.glsl"
+#include "gnomon/clusters/merge.glsl"
+#include "gnomon/clusters/nodes.glsl"
+#include "gnomon/clusters/traverse.glsl"
+#include "gnomon/clusters/volume.glsl"
+#include "gnomon/rivals/ray_query_bindings.glsl"
+#include "gnomon/rivals/ray_query.glsl"
+#include "gnomon/rivals/ray_query_index.glsl"
+#include "gnomon/top/bindings.glsl"
+#include "gnomon/top/build.glsl"
+#include "gnomon/top/node.h"
+#include "gnomon/top/plane.glsl"
+#include "gnomon/top/query_hybrid.glsl"
+#include "gnomon/top/query_stack.glsl"
+#include "gnomon/top/query_stackless.glsl"
+#include "gnomon/top/visit.glsl"
+layout(local_size_x = 64) in;
+layout(set = 3, binding = 0, std430) writeonly buffer Results { uint v[]; } results;
+
+void main() {
+    uint at = gl_GlobalInvocationID.x;
+    GnoCaster t = GNO_LOAD_CASTER(at);
+    gnoTopSetUp(at, gnoCasterFacing(gnoCasterState(push.light, t, true, GNO_CULL_FRONT, 0u)));
+    bool inserted = gnoTopInsert(gnoPermute(at, push.count, push.seed));
+    GnoViewSample s = gnoMakeViewSample(gnoSnapToGrid(push.position.xyz), at, t, push.viewer, push.light);
+    bool dark = gnoRayQueryInShadow(s) || gnoTopQueryStack(s) || gnoTopQueryStackless(s) || gnoTopQueryHybrid(s) || gnoDecideInShadow(push.light, t, s.position, GNO_PRECISION_CERTIFIED);
+    gnoAddTransmittance(at, gnoTransmittance(at, t, push.light, s.position));
+    gnoClusterSetUpVolume(at, gnoFacing(push.light, t));
+    gnoClusterMeasureDepth(s, gl_LocalInvocationID.x);
+    gnoClusterAddTile(gl_WorkGroupID.xy, gl_LocalInvocationID.x, s, GNO_CLUSTER_MASKS_OF_NODES);
+    gnoClusterExpand();
+    dark = dark || gnoClusterInShadow(uvec2(at, push.seed), s.position);
+    results.v[at] = uint(inserted) + uint(dark);
+}

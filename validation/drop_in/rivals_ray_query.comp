@@ -1,0 +1,18 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_ray_query : require
+// SPDX-License-Identifier: MIT
+// Way A: our structure, our numbers.
+layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
+#define GNO_LIGHT push.light
+#include "gnomon/rivals/ray_query_bindings.glsl"
+#include "gnomon/rivals/ray_query.glsl"
+layout(local_size_x = 64) in;
+layout(set = 3, binding = 0, std430) writeonly buffer Results { vec4 v[]; } results;
+
+void main() {
+    uint at = gl_GlobalInvocationID.x;
+    vec4 result;
+    result = vec4(gnoRayQueryInShadow(GnoViewSample(push.position.xyz, at)));
+    results.v[at] = result;
+}

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "host_min/error.hpp"
+#include "host_min/output/atomic_file.hpp"
+#include "viz/files.hpp"
+#include "viz/query_path.hpp"
+#include "viz/shadow_volume.hpp"
+#include "viz/tree_charts.hpp"
+#include "viz/tree_paths.hpp"
+#include "viz/views.hpp"
+
+namespace gno::viz {
+namespace {
+
+const std::vector<Kind> kLinkKinds{{"root", kDark}, {"positive child", kBlue}, {"positive child of a cap", kSky}, {"intersection child", kOrange}};
+
+/// What colours tell of a volume.
+struct Coloring {
+    std::string array, title;
+    vtkSmartPointer<vtkLookupTable> table;
+};
+
+Coloring coloringOf(const std::string& color, std::span<const Volume> drawn) {
+    if (color == "kind") return {"link", "", kindColours(kLinkKinds)};
+    const auto range = [&](auto value) {
+        const auto [least, most] = std::minmax_element(drawn.begin(), drawn.end(), [&](const Volume& a, const Volume& b) { return value(a) < value(b); });
+        return std::pair(double(value(*least)), double(value(*most)));
+    };
+    if (drawn.empty()) return {"depth", "volumes above", numberColours(0, 1)};
+    if (color == "distance") {
+        const auto [least, most] = range([](const Volume& v) { return v.leastDistance; });
+        return {"least_distance", "least distance\nin the subtree [m]", numberColours(least, most)};
+    }
+    if (color == "visits") {
+        const auto [least, most] = range([](const Volume& v) { return v.visits; });
+        return {"visits", "visits\nin the frame", numberColours(std::max(1.0, least), std::max(10.0, most), true)};
+    }
+    const auto [least, most] = range([](const Volume& v) { return v.depth; });
+    return {"depth", "depth in the tree\n[volumes above]", numberColours(least, most)};
+}
+
+/// One value per entry of `ids`, each a volume.
+void addVolumeArrays(vtkDataSetAttributes& target, const std::vector<Volume>& volumes, std::span<const uint32_t> ids) {
+    const auto add = [&](const char* name, const char* unit, auto value) {
+        std::vector<decltype(value(volumes[0]))> values;
+        for (const uint32_t id : ids) values.push_back(value(volumes[id]));
+        using T = typename decltype(values)::value_type;
+        target.AddArray(array(name, unit, std::span<const T>(values)));
+    };
+    add("caster", "", [](const Volume& v) { return v.caster; });
+    add("depth", "volumes above", [](const Volume& v) { return v.depth; });
+    add("nodes_above", "nodes", [](const Volume& v) { return v.planesAbove; });
+    add("link", "", [](const Volume& v) { return uint32_t(v.link); });
+    add("least_distance", "m", [](const Volume& v) { return v.leastDistance; });
+    add("visits", "visits", [](const Volume& v) { return uint32_t(std::min<uint64_t>(v.visits, 0xFFFFFFFFu)); });
+}
+
+void addTreeFacts(vtkPolyData& mesh, const Dump& dump, const TopTree& tree) {
+    addFact(mesh, "title", dump.title());
+    addFact(mesh, "casters", double(tree.casters));
+    addFact(mesh, "volumes_in_tree", double(tree.volumes.size()));
+    addFact(mesh, "links", "0 root, 1 positive child, 2 positive child of a cap, 3 intersection child");
+}
+
+/// The first `count` volumes of the tree, clipped to the scene's box: one polygon per face.
+vtkSmartPointer<vtkPolyData> volumeMesh(const Dump& dump, const TopTree& tree, size_t count) {
+    const Box box = boxOf(dump);
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> cells;
+    std::vector<uint32_t> ids;
+    for (uint32_t i = 0; i < count; ++i) {
+        const size_t first = 4 * size_t(tree.volumes[i].caster);
+        for (const Polygon& face : clippedVolume(box, dump.light(), {tree.planes[first], tree.planes[first + 1], tree.planes[first + 2], tree.planes[first + 3]})) {
+            cells->InsertNextCell(int(face.size()));
+            for (const glm::dvec3& corner : face) {
+                const glm::dvec3 p = dump.world(corner);
+                cells->InsertCellPoint(points->InsertNextPoint(p.x, p.y, p.z));
+            }
+            ids.push_back(i);
+        }
+    }
+    const auto mesh = vtkSmartPointer<vtkPolyData>::New();
+    mesh->SetPoints(points);
+    mesh->SetPolys(cells);
+    addVolumeArrays(*mesh->GetCellData(), tree.volumes, ids);
+    addTreeFacts(*mesh, dump, tree);
+    addFact(*mesh, "volumes_drawn", double(count));
+    return mesh;
+}
+
+/// Every volume of the tree as a point at its caster's middle, joined to the one above.
+vtkSmartPointer<vtkPolyData> nodeMesh(const Dump& dump, const TopTree& tree, std::span<const Corners> corners) {
+    const auto volumeOf = tree.volumeOfCaster();
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> lines;
+    std::vector<uint32_t> ids;
+    for (uint32_t i = 0; i < tree.volumes.size(); ++i) {
+        const glm::dvec3 p = dump.world(placeOf(4 * tree.volumes[i].caster + 3, corners));
+        points->InsertNextPoint(p.x, p.y, p.z);
+        ids.push_back(i);
+        if (i == 0) continue;
+        const vtkIdType ends[2] = {vtkIdType(*volumeOf[tree.volumes[i].parent]), vtkIdType(i)};
+        lines->InsertNextCell(2, ends);
+    }
+    const auto mesh = vtkSmartPointer<vtkPolyData>::New();
+    mesh->SetPoints(points);
+    mesh->SetLines(lines);
+    addVolumeArrays(*mesh->GetPointData(), tree.volumes, ids);
+    addTreeFacts(*mesh, dump, tree);
+    return mesh;
+}
+
+/// Large volumes are drawn more transparent, so that they do not hide the small ones: array "drawn" holds red, green, blue, opacity.
+void fade(vtkPolyData& mesh, const Dump& dump, std::span<const Corners> corners, const Coloring& coloring) {
+    const double diagonal = glm::length(dump.high() - dump.low());
+    vtkDataArray& values = *mesh.GetCellData()->GetArray(coloring.array.c_str());
+    vtkDataArray& casters = *mesh.GetCellData()->GetArray("caster");
+    vtkNew<vtkUnsignedCharArray> drawn;
+    drawn->SetName("drawn");
+    drawn->SetNumberOfComponents(4);
+    for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell) {
+        const Corners& t = corners[size_t(casters.GetComponent(cell, 0))];
+        const double size = std::sqrt(glm::length(glm::cross(t[1] - t[0], t[2] - t[0]))) / diagonal;
+        const double opacity = std::clamp(0.02 / std::max(size, 1e-9), 0.05, 0.75);
+        const unsigned char* colour = coloring.table->MapValue(values.GetComponent(cell, 0));
+        const unsigned char rgba[4] = {colour[0], colour[1], colour[2], static_cast<unsigned char>(255 * opacity)};
+        drawn->InsertNextTypedTuple(rgba);
+    }
+    mesh.GetCellData()->AddArray(drawn);
+}
+
+void addColors(Picture& picture, const Options& options, const Coloring& coloring) {
+    if (options.color == "kind")
+        picture.legend(0, kLinkKinds);
+    else
+        picture.legend(0, *coloring.table, coloring.title);
+}
+
+std::string leftOut(const TopTree& tree, size_t drawn) {
+    if (drawn == tree.volumes.size()) return fmt::format("all {} shadow volumes of the tree", grouped(drawn));
+    return fmt::format("drawing {} of {} shadow volumes: those nearest to the root (--limit)", grouped(drawn), grouped(tree.volumes.size()));
+}
+
+void addNotes(Picture& picture, const Dump& dump, const TopTree& tree, const TreeStatistics& statistics, size_t drawn) {
+    picture.note(leftOut(tree, drawn));
+    picture.note(fmt::format("{} casters, {} of them in the tree; depth {:.1f} on average, {} at most; {:.1f} % of the links lead to an intersection child; {:.1f} visited nodes a sample",
+                             grouped(tree.casters), grouped(tree.volumes.size()), statistics.meanDepth, statistics.deepest, 100 * statistics.intersectionShare(),
+                             double(statistics.visits) / double(std::max<uint64_t>(1, statistics.samples))));
+    picture.note(fmt::format("settings: {}; clipped to the box of the casters, large ones more transparent; the yellow ball is the light", dump.record().value("settings", nlohmann::json()).dump()));
+}
+
+/// The way of the traced query, visit by visit.
+void showPath(const Options& options, const Dump& dump, const TopTree& tree, std::span<const Corners> corners) {
+    const QueryPath path = QueryPath::read(dump, tree);
+    const std::array paths{path};
+    Picture picture(options.size, fmt::format("query of pixel {}, {} ({}): {}", path.pixel.x, path.pixel.y, path.inShadow ? "in shadow" : "lit", dump.title()), true);
+    addScene(picture.panel(0), dump, corners, 0.25);
+    addBall(picture.panel(0), dump.world(glm::dvec3(path.sample)), 0.008 * glm::length(dump.high() - dump.low()) * dump.metres(), kVermilion);
+    const int last = int(path.visits.size());
+    const auto colours = numberColours(0, last);
+    picture.legend(0, *colours, "visit");
+    std::vector<vtkSmartPointer<vtkActor>> actors;
+    const auto upTo = [&](int steps) {
+        for (const auto& actor : actors) picture.panel(0).RemoveActor(actor);
+        actors = addPath(picture.panel(0), dump, path, corners, *colours, size_t(steps));
+    };
+    upTo(last);
+    picture.lookAt(dump, options.view, boxOf(paths, corners));
+    picture.show({"visited nodes that are drawn", 1, std::max(2, last), last, [&](int steps) { upTo(std::min(steps, last)); }}, options.closeAfter);
+}
+
+void show(const Options& options, const Dump& dump, const TopTree& tree, std::span<const Corners> corners, size_t drawn) {
+    if (dump.isTraced()) return showPath(options, dump, tree, corners);
+    Picture picture(options.size, "TOP tree: " + dump.title(), true);
+    const Coloring coloring = coloringOf(options.color, std::span(tree.volumes).first(drawn));
+    addScene(picture.panel(0), dump, corners, 0.25);
+    vtkSmartPointer<vtkActor> volumes;
+    const auto upTo = [&](int depth) {
+        const size_t count = size_t(std::partition_point(tree.volumes.begin(), tree.volumes.begin() + ptrdiff_t(drawn), [&](const Volume& v) { return int(v.depth) <= depth; }) -
+                                    tree.volumes.begin());
+        if (volumes) picture.panel(0).RemoveActor(volumes);
+        const auto mesh = volumeMesh(dump, tree, count);
+        fade(*mesh, dump, corners, coloring);
+        volumes = addMesh(picture.panel(0), *mesh, {}, "drawn");
+    };
+    const int deepest = drawn > 0 ? int(tree.volumes[drawn - 1].depth) : 0;
+    upTo(deepest);
+    addColors(picture, options, coloring);
+    picture.note(leftOut(tree, drawn));
+    picture.lookAt(dump, options.view, boxOf(dump));
+    picture.show({"deepest level that is drawn", 0, std::max(1, deepest), deepest, upTo}, options.closeAfter);
+}
+
+void writeBytes(const std::filesystem::path& path, const std::string& bytes) {
+    host::AtomicFile file(path);
+    file.stream() << bytes;
+    file.commit();
+}
+
+/// Of one sample: the dumps must hold traces of the same pixel, and one tree, or the panels would not compare.
+std::vector<QueryPath> pathsOf(std::span<const Dump> dumps, const TopTree& tree) {
+    std::vector<QueryPath> paths;
+    for (const Dump& dump : dumps) {
+        const TopTree own = TopTree::read(dump);
+        if (dumps.size() > 1 && (own.root != tree.root || own.planes != tree.planes || dump.tracedPixel() != dumps.front().tracedPixel()))
+            throw host::InputError(fmt::format("{}: not the same tree, or not the same traced pixel, as {}; make the dumps in one run", dump.name(), dumps.front().name()));
+        paths.push_back(QueryPath::read(dump, own));
+    }
+    return paths;
+}
+
+void writePaths(const Options& options, std::span<const Dump> dumps, std::span<const QueryPath> paths, std::span<const Corners> corners) {
+    for (size_t i = 0; i < paths.size(); ++i) writeFile(options.out / (dumps[i].name() + "-tree-path.vtp"), *pathMesh(dumps[i], paths[i], corners));
+    const Dump& dump = dumps.front();
+    const std::string title = fmt::format("queries of pixel {}, {} ({}): {}", paths[0].pixel.x, paths[0].pixel.y, paths[0].inShadow ? "in shadow" : "lit", dump.title());
+    PictureSize size = options.size;
+    size.columns = paths.size() > 1 ? 2 : 1;
+    size.rows = int(paths.size() + 1) / size.columns - (paths.size() == 1 ? 1 : 0);
+    Picture picture(size, title);
+    drawPaths(picture, dump, paths, corners);
+    picture.note("tubes: from node to node in the order of the visits; a lateral plane stands at the middle of its edge, a cap at the middle of its caster");
+    picture.note("orange: from the stack; vermilion: back by an ancestor link; vermilion ball: the sample; yellow ball: the light");
+    picture.lookAt(dump, options.view, boxOf(paths, corners));
+    picture.writePng(options.out / (dump.name() + "-tree-path.png"));
+    writeBytes(options.out / (dump.name() + "-tree-steps.png"), drawPng(stepsFigure(title, paths)));
+}
+
+}  // namespace
+
+void viewTree(const Options& options) {
+    std::vector<Dump> dumps;
+    for (const auto& path : options.dumps) dumps.push_back(Dump::load(path));
+    const Dump& dump = dumps.front();
+    const TopTree tree = TopTree::read(dump);
+    const std::vector<Corners> corners = cornersOf(dump);
+    const TreeStatistics statistics = statisticsOf(dump, tree);
+    if (statistics.visits != dump.counter("visited_nodes"))
+        throw host::InputError(fmt::format("{}: the visits of the tree's nodes add up to {}, and the record counted {}: a part of the dump is damaged, or of another run",
+                                           dump.name(), statistics.visits, dump.counter("visited_nodes")));
+    const size_t drawn = std::min<size_t>(options.limit, tree.volumes.size());
+    if (options.interactive) return show(options, dump, tree, corners, drawn);
+
+    const std::vector<QueryPath> paths = dumps.size() > 1 || dump.isTraced() ? pathsOf(dumps, tree) : std::vector<QueryPath>();
+    host::makeFolder(options.out);
+    const auto mesh = volumeMesh(dump, tree, drawn);
+    writeFile(options.out / (dump.name() + "-tree-volumes.vtp"), *mesh);
+    writeFile(options.out / (dump.name() + "-tree-nodes.vtp"), *nodeMesh(dump, tree, corners));
+    writeBytes(options.out / (dump.name() + "-tree-statistics.json"), statistics.json().dump(1) + '\n');
+    writeBytes(options.out / (dump.name() + "-tree-statistics.png"), drawPng(statisticsFigure(dump, statistics)));
+    if (!paths.empty()) writePaths(options, dumps, paths, corners);
+    Picture picture(options.size, "TOP tree: " + dump.title());
+    const Coloring coloring = coloringOf(options.color, std::span(tree.volumes).first(drawn));
+    addScene(picture.panel(0), dump, corners, 0.25);
+    fade(*mesh, dump, corners, coloring);
+    addMesh(picture.panel(0), *mesh, {}, "drawn");
+    addColors(picture, options, coloring);
+    addNotes(picture, dump, tree, statistics, drawn);
+    picture.lookAt(dump, options.view, boxOf(dump));
+    picture.writePng(options.out / fmt::format("{}-tree-{}.png", dump.name(), options.color));
+    fmt::print("{}: {}\n", dump.title(), leftOut(tree, drawn));
+}
+
+}  // namespace gno::viz
