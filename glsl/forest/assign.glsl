@@ -35,7 +35,7 @@
 #include "../core/counters.glsl"
 #include "cells.glsl"
 #if !defined(GNO_FOREST_GRID) || !defined(GNO_FOREST_CELLS) || !defined(GNO_FOREST_PAIRS) || !defined(GNO_FOREST_CAPACITY) || !defined(GNO_FOREST_HEADER)
-#error "forest/assign.glsl: define GNO_FOREST_GRID, _CELLS, _PAIRS, _CAPACITY and _HEADER or include forest/bindings.glsl before this file"
+#error "forest/assign.glsl: define GNO_FOREST_GRID, GNO_FOREST_CELLS, GNO_FOREST_PAIRS, GNO_FOREST_CAPACITY and GNO_FOREST_HEADER or include forest/bindings.glsl before this file"
 #endif
 #ifndef GNO_LIGHT
 #error "forest/assign.glsl: define GNO_LIGHT, a homogeneous vec4"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // gnomon forest/bindings.glsl : our buffers of a forest; leave it out and define the macros yourself where your storage differs.
 //
-// Defines    GNO_FOREST_GRID, GNO_FOREST_CELLS, GNO_FOREST_PAIRS, GNO_FOREST_CAPACITY, GNO_FOREST_HEADER, and for top/build.glsl and the queries of glsl/top:
-//            GNO_TOP_CASTER_OF, GNO_TOP_ROOT_OF, GNO_TOP_FIND_ROOT (GNO_LIGHT must be a macro where a query is used)
+// Defines    GNO_FOREST_GRID, GNO_FOREST_CELLS, GNO_FOREST_PAIRS, GNO_FOREST_CAPACITY, GNO_FOREST_HEADER; with GNO_FOREST_TREES 1, for glsl/top:
+//            GNO_TOP_CASTER_OF, GNO_TOP_ROOT_OF, GNO_TOP_FIND_ROOT (that needs GNO_LIGHT where a query is used)
 // Space      as cells.h
 // Stages     any with storage buffers
 // Requires   #version 450, no extension. Include before the files of glsl/top that use it
@@ -13,9 +13,16 @@
 // GNO_FOREST_BINDING_CELLS    no        1        GnoForestCell[gnoCellCount]
 // GNO_FOREST_BINDING_PAIRS    no        2        GnoForestPair[capacity]; its length is the capacity
 // GNO_FOREST_BINDING_HEADER   no        3        GnoForestHeader
+// GNO_FOREST_TREES            no        0        1: the build and the queries of glsl/top in this shader work on the forest, not on one tree
 #ifndef GNO_FOREST_BINDINGS_GLSL
 #define GNO_FOREST_BINDINGS_GLSL
 #include "cells.h"
+#ifndef GNO_FOREST_TREES
+#define GNO_FOREST_TREES 0
+#endif
+#if GNO_FOREST_TREES
+#include "cells.glsl"
+#endif
 #ifndef GNO_FOREST_SET
 #define GNO_FOREST_SET 3
 #endif
@@ -42,7 +49,9 @@ layout(set = GNO_FOREST_SET, binding = GNO_FOREST_BINDING_HEADER, std430) buffer
 #define GNO_FOREST_PAIRS gnoForestPairs.v
 #define GNO_FOREST_CAPACITY uint(gnoForestPairs.v.length())
 #define GNO_FOREST_HEADER gnoForestHeader.v
+#if GNO_FOREST_TREES
 #define GNO_TOP_CASTER_OF(block_) gnoForestPairs.v[block_].caster
 #define GNO_TOP_ROOT_OF(block_) gnoForestCells.v[gnoForestPairs.v[block_].cell].root
 #define GNO_TOP_FIND_ROOT(q_) gnoForestCells.v[gnoCellOf(GNO_LIGHT, gnoForestGrid.v, q_)].root
+#endif
 #endif

@@ -8,6 +8,7 @@ layout(constant_id = 0) const uint kPrecision = 2u;
 #include "../../core/bindings.glsl"
 #include "../../core/examples/frame.glsl"
 #include "../../core/permutation.glsl"
+#define GNO_FOREST_TREES 1
 #include "../bindings.glsl"
 #include "../../top/bindings.glsl"
 #include "../../top/build.glsl"

@@ -11,8 +11,8 @@ layout(constant_id = 1) const uint kStackSize = 32u;
 #include "../../core/bindings.glsl"
 #include "../../core/sample.glsl"
 #include "../../core/examples/frame.glsl"
+#define GNO_FOREST_TREES 1
 #include "../bindings.glsl"
-#include "../cells.glsl"
 #include "../../top/bindings.glsl"
 #include "../../top/query_stack.glsl"
 #define GNO_EXAMPLE_QUERY(s_) gnoTopQueryStack(s_)

@@ -9,8 +9,8 @@ layout(constant_id = 2) const uint kDepthTest = 1u;
 #include "../../core/bindings.glsl"
 #include "../../core/sample.glsl"
 #include "../../core/examples/frame.glsl"
+#define GNO_FOREST_TREES 1
 #include "../bindings.glsl"
-#include "../cells.glsl"
 #include "../../top/bindings.glsl"
 #include "../../top/query_stackless.glsl"
 #define GNO_EXAMPLE_QUERY(s_) gnoTopQueryStackless(s_)

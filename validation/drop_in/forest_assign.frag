@@ -1,0 +1,22 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Way A: our buffers, our numbers.
+layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
+#define GNO_LIGHT push.light
+#include "gnomon/core/bindings.glsl"
+#include "gnomon/forest/bindings.glsl"
+#include "gnomon/forest/assign.glsl"
+layout(location = 0) out vec4 result;
+
+void main() {
+    uint at = uint(gl_FragCoord.x);
+    GnoCellVolume volume = gnoCellVolume(GNO_LIGHT, GNO_LOAD_CASTER(at), 1);
+    gnoForestSeeSample(push.position.xyz);
+    gnoForestCover(volume, 0u, 1u);
+    gnoForestCount(volume, 0u, 1u);
+    gnoForestAllocate(at);
+    gnoForestEmit(at, volume, 0u, 1u);
+    gnoForestSizes();
+    result = vec4(gnoForestSpan(volume));
+}

@@ -1,0 +1,30 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Way B: our buffers, other sets and bindings.
+layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
+#define GNO_FOREST_SET 1
+#define GNO_FOREST_BINDING_GRID 20
+#define GNO_FOREST_BINDING_CELLS 21
+#define GNO_FOREST_BINDING_PAIRS 22
+#define GNO_FOREST_BINDING_HEADER 23
+#define GNO_LIGHT push.light
+#include "gnomon/core/bindings.glsl"
+#include "gnomon/forest/bindings.glsl"
+#include "gnomon/forest/assign.glsl"
+layout(local_size_x = 64) in;
+layout(set = 2, binding = 9, std430) writeonly buffer Results { vec4 v[]; } results;
+
+void main() {
+    uint at = gl_GlobalInvocationID.x;
+    vec4 result;
+    GnoCellVolume volume = gnoCellVolume(GNO_LIGHT, GNO_LOAD_CASTER(at), 1);
+    gnoForestSeeSample(push.position.xyz);
+    gnoForestCover(volume, 0u, 1u);
+    gnoForestCount(volume, 0u, 1u);
+    gnoForestAllocate(at);
+    gnoForestEmit(at, volume, 0u, 1u);
+    gnoForestSizes();
+    result = vec4(gnoForestSpan(volume));
+    results.v[at] = result;
+}
