@@ -23,6 +23,8 @@ int run(int argc, char** argv) {
     app.add_option("--case", wanted, "only cases whose name contains this");
     app.add_option("--seeds", options.insertionSeeds, "insertion seeds per case")->check(CLI::Range(1, 1000))->capture_default_str();
     app.add_option("--update", update, "write into this Markdown file, between its hard-cases markers");
+    app.add_flag("--uncertified", options.uncertified,
+                 "techniques that have no certified rung as well (a shadow map draws: not at subgroup width 16)");
     app.add_flag("--list", list, "name the cases, run nothing");
     try {
         app.parse(argc, argv);
