@@ -8,6 +8,7 @@
 #include "host_min/error.hpp"
 #include "host_min/interrupt.hpp"
 #include "host_min/output/atomic_file.hpp"
+#include "host_min/output/guarded.hpp"
 #include "host_min/output/table.hpp"
 #include "validation/hard_cases/report.hpp"
 
@@ -79,14 +80,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    host::catchInterrupts();
-    try {
-        return run(argc, argv);
-    } catch (const host::InputError& error) {
-        std::fprintf(stderr, "gnomon-hard-cases: %s\n", error.what());
-        return 2;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "gnomon-hard-cases: %s\n", error.what());
-        return 1;
-    }
+    gno::host::catchInterrupts();
+    return gno::host::guarded("gnomon-hard-cases", "use fewer --seeds", [&] { return run(argc, argv); });
 }
