@@ -8,6 +8,7 @@
 layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
 #define GNO_LIGHT push.light
 #define GNO_CLUSTER_FORM GNO_CLUSTER_COMPACT
+#define GNO_SHADOW_MAP_MEASURES 1
 #define GNO_CLUSTER_LOAD_SAMPLE(pixel_) GnoViewSample(push.position.xyz, uint((pixel_).x))
 #include "gnomon/core/bindings.glsl"
 #include "gnomon/core/caster_state.glsl"
@@ -37,6 +38,12 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/rivals/ray_query_bindings.glsl"
 #include "gnomon/rivals/ray_query.glsl"
 #include "gnomon/rivals/ray_query_index.glsl"
+#include "gnomon/shadow_map/bindings.glsl"
+#include "gnomon/shadow_map/map_bindings.glsl"
+#include "gnomon/shadow_map/fit.glsl"
+#include "gnomon/shadow_map/project.glsl"
+#include "gnomon/shadow_map/query.glsl"
+#include "gnomon/shadow_map/view.h"
 #include "gnomon/top/bindings.glsl"
 #include "gnomon/top/build.glsl"
 #include "gnomon/top/node.h"

@@ -8,6 +8,7 @@
 #include "host_min/error.hpp"
 #include "host_min/interrupt.hpp"
 #include "host_min/output/atomic_file.hpp"
+#include "host_min/output/guarded.hpp"
 #include "host_min/output/table.hpp"
 #include "validation/hard_cases/report.hpp"
 
@@ -23,6 +24,8 @@ int run(int argc, char** argv) {
     app.add_option("--case", wanted, "only cases whose name contains this");
     app.add_option("--seeds", options.insertionSeeds, "insertion seeds per case")->check(CLI::Range(1, 1000))->capture_default_str();
     app.add_option("--update", update, "write into this Markdown file, between its hard-cases markers");
+    app.add_flag("--uncertified", options.uncertified,
+                 "techniques that have no certified rung as well (a shadow map draws: not at subgroup width 16)");
     app.add_flag("--list", list, "name the cases, run nothing");
     try {
         app.parse(argc, argv);
@@ -77,14 +80,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    host::catchInterrupts();
-    try {
-        return run(argc, argv);
-    } catch (const host::InputError& error) {
-        std::fprintf(stderr, "gnomon-hard-cases: %s\n", error.what());
-        return 2;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "gnomon-hard-cases: %s\n", error.what());
-        return 1;
-    }
+    gno::host::catchInterrupts();
+    return gno::host::guarded("gnomon-hard-cases", "use fewer --seeds", [&] { return run(argc, argv); });
 }

@@ -50,10 +50,11 @@ std::string markdown(std::span<const CaseResult> results, const RunnerOptions& o
     if (results.empty()) return "No case.\n";
     const host::DeviceFacts& device = test::passes().device().facts();
     std::string text = fmt::format(
-        "Made by `gnomon-hard-cases --seeds {}` on {}, {} {}, subgroup width {}. `gnomon-hard-cases --list` says why a case is hard. A cell holds "
+        "Made by `gnomon-hard-cases --seeds {}{}` on {}, {} {}, subgroup width {}. `gnomon-hard-cases --list` says why a case is hard. A cell holds "
         "{}.\n\n"
         "Wrong answers, all scenes and insertion seeds of a case together; \"answers\" is how many there were.\n\n",
-        options.insertionSeeds, device.deviceName, device.driverName, device.driverInfo, device.subgroupSize, rungs(results.front()));
+        options.insertionSeeds, options.uncertified ? " --uncertified" : "", device.deviceName, device.driverName, device.driverInfo,
+        device.subgroupSize, rungs(results.front()));
     text += header(results.front(), "case | triangles | answers");
     for (const CaseResult& result : results)
         text += fmt::format("| {} | {} | {}", result.hardCase->name, result.triangles, result.tallies.front().answers) +

@@ -77,7 +77,9 @@ CaseResult runCase(const HardCase& hardCase, const RunnerOptions& options, const
     result.hardCase = &hardCase;
     for (const auto& technique : host::techniques()) {
         const auto& rungs = technique->info().precisions;
-        if (std::find(rungs.begin(), rungs.end(), host::Precision::certified) == rungs.end()) continue;  // a shadow map does not claim the definition
+        const bool claims =
+            std::find(rungs.begin(), rungs.end(), host::Precision::certified) != rungs.end();  // a shadow map does not claim the definition
+        if (!claims && !options.uncertified) continue;
         for (const host::Precision precision : rungs) result.tallies.push_back({.technique = technique->info().name, .precision = precision});
     }
 

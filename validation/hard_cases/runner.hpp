@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs hard cases through every technique of the registry, on every rung that the technique has, and compares with the oracle.
+// Runs hard cases through the techniques of the registry that have a certified rung, on every rung they have, and compares with the oracle.
 #pragma once
 #include <functional>
 #include <string>
@@ -31,6 +31,7 @@ struct CaseResult {
 struct RunnerOptions {
     uint32_t insertionSeeds = 8;  ///< per case; shared out among its scenes, at least one each
     bool counters = false;        ///< count visited nodes (by the instrumented shaders) as well
+    bool uncertified = false;     ///< run the techniques without a certified rung as well, to see how wrong they are
 };
 
 /// `step` is called before every run of a technique; it may throw to stop.

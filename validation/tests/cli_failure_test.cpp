@@ -96,7 +96,8 @@ TEST_F(Writing, DiskThatFillsUp) {
     const Outcome outcome = child.wait();
     EXPECT_EQ(outcome.code, 1) << outcome.err;
     EXPECT_EQ(linesOf(outcome.err).size(), 1u) << outcome.err;
-    EXPECT_NE(outcome.err.find(stem + "dump.json"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(stem + "visibility.bin"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(stage.out() / (stem + "visibility.bin")));
     EXPECT_FALSE(fs::exists(stage.out() / (stem + "dump.json")));
     EXPECT_TRUE(fs::exists(stage.out() / (stem + "planes.bin")));
     fs::remove(pipe);

@@ -19,7 +19,7 @@ using Names = std::set<std::string>;
 
 const std::vector<std::string> kAll{"psv", "d-psv", "d-stackless", "d-hybrid", "ptsv", "ptsv-2011"};
 
-bool isTop(const std::string& technique) { return !technique.starts_with("ptsv"); }
+bool isTop(const std::string& technique) { return technique == "psv" || technique.starts_with("d-"); }
 
 Names keysOf(const Json& object) {
     Names keys;
