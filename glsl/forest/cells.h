@@ -8,6 +8,8 @@
 //   cells     16 * gnoCellCount          reset, depth, cover, count, allocate    insertion and queries (root)
 //   header    32                         reset, allocate                         emission, insertion
 //
+//   uint gnoCellCount(uint resolution, uint faces)      cells of a grid
+//
 // Space      light coordinates, q = gnoFromLight(p) (core/light.glsl)
 // Stages     any
 // Requires   #version 450, no extension
