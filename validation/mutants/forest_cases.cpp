@@ -181,6 +181,23 @@ CellQuestion large(Random& r, uint resolution) {
     return question;
 }
 
+/// All of the caster is as far from the light as fp32 can tell: small, or at a right angle to a direction. Points on it and a hair before it.
+CellQuestion oneDepth(Random& r, uint resolution) {
+    for (;;) {
+        const Face f = anyFace(r, resolution);
+        const double size = f.light.w == 0.0f ? 0.3 : std::ldexp(1.0, -10 - r.below(12)), x = 0.9 * r.real(), y = 0.9 * r.real(), t = f.light.w == 0.0f ? 0.5 * r.real() : 0.5 + 0.3 * r.real();
+        const auto corner = [&] { return snap(f.at(x + size * r.real(), y + size * r.real(), t)); };
+        const GnoCaster c{corner(), corner(), corner()};
+        if (!inScene(c)) continue;
+        CellQuestion question = ask(r, f, c, 4);
+        for (int i = 0; i < 12; ++i) {
+            const vec3 p = snap(behind(f.light, onCaster(r, c), 1.0 - std::ldexp(1.0, -22 - r.below(12))));
+            if (mutants::inScene(p)) question.points.push_back(r.below(2) == 0 ? p : r.neighbour(p));
+        }
+        return question;
+    }
+}
+
 struct Maker {
     const char* name;
     CellQuestion (*make)(Random&, uint resolution);
@@ -190,7 +207,8 @@ constexpr Maker kMakers[] = {{"anything", anything},
                              {"vertex at a cell's border", vertexAtBorder},
                              {"long edge at a cell's border", longEdgeAtBorder},
                              {"edge at a cell's corners", edgeAtCorners},
-                             {"large caster near the light", large}};
+                             {"large caster near the light", large},
+                             {"caster all at one depth", oneDepth}};
 
 /// Casters one behind the other, the first of them over whole cells; samples before, between and behind them.
 cpu::TinyScene layers(Random& r) {
