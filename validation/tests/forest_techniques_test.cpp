@@ -146,7 +146,7 @@ TEST(ForestTechnique, APoolOfExactlyWhatIsNeeded) {
         expectWhole(asked.run({"cells=8", "pool=" + std::to_string(needed), "seed=3"}, true), asked.scene().triangles.size());
         for (const uint64_t small : {needed - 1, uint64_t(1)}) {
             const std::string text = refusal(asked, {"cells=8", "pool=" + std::to_string(small)});
-            for (const std::string part : {"pool=" + std::to_string(small), std::to_string(needed)}) EXPECT_NE(text.find(part), std::string::npos) << text;
+            for (const std::string& part : {"pool=" + std::to_string(small), std::to_string(needed)}) EXPECT_NE(text.find(part), std::string::npos) << text;
             EXPECT_EQ(text.find('\n'), std::string::npos) << text;
         }
     }
