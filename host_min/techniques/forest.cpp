@@ -55,7 +55,8 @@ public:
             options, result);
         result.counters.dropped = trees.counters().dropped;
         result.counters.more = {{"pairs", trees.pairs()},
-                                {"large_casters", trees.large()},
+                                {"some_cells", trees.some()},
+                                {"many_cells", trees.many()},
                                 {"inserted", trees.counters().inserted},
                                 {"build_steps", trees.counters().steps},
                                 {"intersection_steps", trees.counters().intersections}};

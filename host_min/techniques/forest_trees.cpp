@@ -60,7 +60,8 @@ ForestTrees::ForestTrees(const FrameInputs& inputs, const ForestOptions& options
       grid_(inputs.device(), sizeof(GnoForestGrid), vk::BufferUsageFlagBits::eUniformBuffer),
       cells_(inputs.device(), uint64_t(cellCount_) * sizeof(GnoForestCell)),
       header_(inputs.device(), sizeof(GnoForestHeader), vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer),
-      largeList_(inputs.device(), 4 * uint64_t(inputs.triangleCount())),
+      list_(inputs.device(), 4 * uint64_t(inputs.triangleCount())),
+      few_(inputs.device(), sizeof(GnoForestFew) * uint64_t(inputs.triangleCount())),
       pool_(inputs.device(), 8),
       planes_(inputs.device(), 64),
       links_(inputs.device(), 64) {
@@ -75,7 +76,8 @@ ForestTrees::ForestTrees(const FrameInputs& inputs, const ForestOptions& options
     }
     const auto header = header_.downloadAs<GnoForestHeader>().front();
     pairs_ = header.pairs;
-    large_ = header.large;
+    some_ = header.some;
+    many_ = header.many;
     const uint32_t most = mostPairs(inputs.device().facts());
     if (pairs_ > most)
         throw InputError(fmt::format("the forest needs {} pairs of cell and caster, over the limit of {}: use a smaller --set cells than {}", pairs_, most,
@@ -106,12 +108,12 @@ ForestTrees::ForestTrees(const FrameInputs& inputs, const ForestOptions& options
 
 std::vector<Binding> ForestTrees::resources() const {
     return {{"gnoCasters", &inputs_.casters()}, {"gnoStates", &inputs_.states()}, {"gnoSamples", &inputs_.samples()}, {"gnoForestGrid", &grid_},
-            {"gnoForestCells", &cells_},        {"gnoForestPairs", &pool_},       {"gnoForestHeader", &header_},      {"gnoLarge", &largeList_},
+            {"gnoForestCells", &cells_},        {"gnoForestPairs", &pool_},       {"gnoForestHeader", &header_},      {"gnoForestFew", &few_},         {"gnoList", &list_},
             {"gnoTopPlanes", &planes_},         {"gnoTopLinks", &links_},         {"gnoTopHeader", &header_}};
 }
 
 const ComputePass& ForestTrees::pass(const std::string& name, Specialization constants) const {
-    if (name.starts_with("assign")) {
+    if (name.starts_with("assign") || name == "sort.comp") {
         constants[30] = options_.viewCull;
         constants[31] = options_.cover;
     }
@@ -123,14 +125,14 @@ void ForestTrees::step(Recording& recording, uint32_t which) const {
     const ExamplePush push = inputs_.push(options_.seed);
     const auto bytes = std::as_bytes(std::span(&push, 1));
     const auto all = resources();
+    const bool emit = which == 6;
     recording.barrier();
-    pass("assign.comp", {{32, which}}).dispatch(recording, all, bytes, groupsOf(inputs_.triangleCount()));
-    recording.barrier();
-    if (which == 2) {
-        pass("sizes.comp").dispatch(recording, all, bytes, 1);
-        recording.barrier();
-    }
-    pass("assign_large.comp", {{32, which}}).dispatchIndirect(recording, all, bytes, header_, offsetof(GnoForestHeader, groupsOfLarge));
+    pass("assign_many.comp", {{32, which}}).dispatchIndirect(recording, all, bytes, header_, offsetof(GnoForestHeader, groupsOfMany));
+    if (emit) recording.barrier();  // the larger ones first
+    pass("assign_some.comp", {{32, which}}).dispatchIndirect(recording, all, bytes, header_, offsetof(GnoForestHeader, groupsOfSome));
+    if (which == 3) return;
+    if (emit) recording.barrier();
+    pass("assign_few.comp", {{32, which}}).dispatch(recording, all, bytes, groupsOf(inputs_.triangleCount()));
 }
 
 void ForestTrees::recordAssignment(Recording& recording) const {
@@ -140,11 +142,16 @@ void ForestTrees::recordAssignment(Recording& recording) const {
     recording.beginPass("forest_setup_depth");
     pass("reset.comp").dispatch(recording, all, bytes, groupsOf(cellCount_));
     recording.barrier();
-    if (options_.viewCull) pass("depth.comp").dispatch(recording, all, bytes, (inputs_.width() + 7) / 8, (inputs_.height() + 7) / 8);
+    if (options_.viewCull) pass("depth.comp").dispatch(recording, all, bytes, (inputs_.width() + 31) / 32, (inputs_.height() + 15) / 16);
+    recording.endPass();
+    recording.beginPass("forest_setup_sort");
+    pass("sort.comp").dispatch(recording, all, bytes, groupsOf(inputs_.triangleCount()));
+    recording.barrier();
+    pass("sizes.comp").dispatch(recording, all, bytes, 1);
     recording.endPass();
     recording.beginPass("forest_setup_count");
-    step(recording, 2);
-    step(recording, 3);
+    if (options_.cover) step(recording, 3);
+    step(recording, 4);
     recording.barrier();
     pass("allocate.comp").dispatch(recording, all, bytes, groupsOf(cellCount_));
     recording.barrier();
@@ -158,7 +165,7 @@ void ForestTrees::recordTrees(Recording& recording, const Buffer* totals) const 
     auto all = resources();
     if (totals) all.push_back({"gnoTotals", totals});
     recording.beginPass("forest_setup_emit");
-    step(recording, 5);
+    step(recording, 6);
     recording.endPass();
     recording.beginPass("forest_setup");
     pass("set_up.comp").dispatchIndirect(recording, all, bytes, header_, offsetof(GnoForestHeader, groupsOfPairs));
@@ -170,7 +177,7 @@ void ForestTrees::recordTrees(Recording& recording, const Buffer* totals) const 
 
 NamedNumbers ForestTrees::bytes() const {
     return {{"trees", planes_.bytes() + links_.bytes()}, {"cells", cells_.bytes() + grid_.bytes() + header_.bytes()}, {"pairs", pool_.bytes()},
-            {"large_list", largeList_.bytes()}};
+            {"casters", list_.bytes() + few_.bytes()}};
 }
 
 std::vector<DumpedBuffer> ForestTrees::dump() const {
