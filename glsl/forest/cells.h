@@ -9,6 +9,8 @@
 //   few       8 * casters                sort                                    count, emission
 //   header    48                         reset, sort, allocate                   count, emission, insertion
 //
+//   uint gnoCellCount(uint resolution, uint faces)      cells of a grid
+//
 // Space      light coordinates, q = gnoFromLight(p) (core/light.glsl)
 // Stages     any
 // Requires   #version 450, no extension
