@@ -166,7 +166,9 @@ GNO_INLINE void gnoForestEmitFew(uint caster_) { gnoForestFew_(caster_, true); }
 GNO_INLINE void gnoForestAllocate(uint cell_) {
     uint count_ = GNO_FOREST_CELLS[cell_].pairs;
     GNO_FOREST_CELLS[cell_].root = GNO_FOREST_NONE;
-    if (count_ > 0u) GNO_FOREST_CELLS[cell_].pairs = atomicAdd(GNO_FOREST_HEADER.pairs, count_);
+    if (count_ == 0u) return;
+    GNO_FOREST_CELLS[cell_].pairs = atomicAdd(GNO_FOREST_HEADER.pairs, count_);
+    atomicAdd(GNO_FOREST_HEADER.used, 1u);
 }
 
 GNO_INLINE void gnoForestEmit(uint caster_, GnoCellVolume v_, uint lane_, uint lanes_) {

@@ -7,7 +7,7 @@
 //   grid      48                         the host, when light or scene changes   all
 //   cells     16 * gnoCellCount          reset, depth, cover, count, allocate    insertion and queries (root)
 //   few       8 * casters                sort                                    count, emission
-//   header    48                         reset, sort, allocate                   count, emission, insertion
+//   header    52                         reset, sort, allocate                   count, emission, insertion
 //
 //   uint gnoCellCount(uint resolution, uint faces)      cells of a grid
 //
@@ -54,7 +54,7 @@ struct GnoForestFew {    // std430, 8 bytes: where a caster with at most 2 x 2 c
 };
 GNO_STRUCT_SIZE(GnoForestFew, 8)
 
-struct GnoForestHeader { // std430, 48 bytes
+struct GnoForestHeader { // std430, 52 bytes
     uint groupsOfPairs;  //  0  indirect dispatch over the pairs: (groups, 1, 1)
     uint one0;
     uint one1;
@@ -67,8 +67,9 @@ struct GnoForestHeader { // std430, 48 bytes
     uint one4;
     uint one5;
     uint many;           // 44  how many are listed
+    uint used;           // 48  cells that keep casters
 };
-GNO_STRUCT_SIZE(GnoForestHeader, 48)
+GNO_STRUCT_SIZE(GnoForestHeader, 52)
 GNO_STRUCT_OFFSET(GnoForestHeader, many, 44)
 
 struct GnoForestPair {   // std430, 8 bytes: block b of the pool (nodes 4b .. 4b+3) stands for this caster in this cell

@@ -55,6 +55,7 @@ public:
             options, result);
         result.counters.dropped = trees.counters().dropped;
         result.counters.more = {{"pairs", trees.pairs()},
+                                {"used_cells", trees.used()},
                                 {"some_cells", trees.some()},
                                 {"many_cells", trees.many()},
                                 {"inserted", trees.counters().inserted},

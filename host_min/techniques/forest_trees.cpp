@@ -78,6 +78,7 @@ ForestTrees::ForestTrees(const FrameInputs& inputs, const ForestOptions& options
     pairs_ = header.pairs;
     some_ = header.some;
     many_ = header.many;
+    used_ = header.used;
     const uint32_t most = mostPairs(inputs.device().facts());
     if (pairs_ > most)
         throw InputError(fmt::format("the forest needs {} pairs of cell and caster, over the limit of {}: use a smaller --set cells than {}", pairs_, most,

@@ -36,6 +36,7 @@ public:
     [[nodiscard]] uint32_t pairs() const { return pairs_; }
     [[nodiscard]] uint32_t some() const { return some_; }  ///< casters with more than 2 x 2 cells, up to GNO_FOREST_MOST
     [[nodiscard]] uint32_t many() const { return many_; }  ///< casters with more
+    [[nodiscard]] uint32_t used() const { return used_; }  ///< cells that keep casters
     [[nodiscard]] NamedNumbers bytes() const;
     [[nodiscard]] std::vector<DumpedBuffer> dump() const;
 
@@ -47,7 +48,7 @@ private:
 
     const FrameInputs& inputs_;
     ForestOptions options_;
-    uint32_t cellCount_ = 0, pairs_ = 0, some_ = 0, many_ = 0;
+    uint32_t cellCount_ = 0, pairs_ = 0, some_ = 0, many_ = 0, used_ = 0;
     Buffer grid_, cells_, header_, list_, few_, pool_, planes_, links_;
     std::vector<RecordPass> passes_;
     TopBuildCounters counters_;
