@@ -52,7 +52,7 @@ GNO_INLINE vec3 gnoCellPlace(vec4 light_, GnoForestGrid grid_, uint face_, vec3 
 GNO_INLINE uint gnoCellIndex_(float place_, float least_, float step_, uint resolution_) {
     float at_ = (place_ - least_) / step_;
     if (!(at_ > 0.0f)) return 0u;  // not a number: the point is the light
-    return min(uint(at_), resolution_ - 1u);
+    return uint(min(at_, float(resolution_ - 1u)));
 }
 
 GNO_INLINE uint gnoCellOf(vec4 light_, GnoForestGrid grid_, vec3 q_) {
