@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// gnomon rivals/light_grid_bindings.glsl : our buffers of the lists; leave it out and define the macros yourself where your storage differs.
+//
+// Defines    GNO_LIGHT_GRID_LISTS, GNO_LIGHT_GRID_ITEMS, GNO_LIGHT_GRID_CAPACITY; without GNO_LIGHT_GRID_READ_ONLY also GNO_LIGHT_GRID_BOUNDS, GNO_LIGHT_GRID_NESTS and
+//            GNO_LIGHT_GRID_HEADER
+// Space      as light_grid.h
+// Stages     any with storage buffers
+// Requires   #version 450, no extension. Include before the files of light_grid that use it
+//
+// Macro                          required  default  meaning
+// GNO_LIGHT_GRID_SET             no        1        descriptor set of all four
+// GNO_LIGHT_GRID_BINDING_LISTS   no        0        GnoLightGridList[gnoLightGridLists]
+// GNO_LIGHT_GRID_BINDING_ITEMS   no        1        GnoLightGridItem[capacity]; its length is the capacity
+// GNO_LIGHT_GRID_BINDING_BOUNDS  no        2        GnoLightGridBounds[64 nests]; its length says how many cells may be nested
+// GNO_LIGHT_GRID_BINDING_HEADER  no        3        GnoLightGridHeader
+// GNO_LIGHT_GRID_READ_ONLY       no        0        1: queries only; lists and items are read-only, the others are not bound
+#ifndef GNO_RIVALS_LIGHT_GRID_BINDINGS_GLSL
+#define GNO_RIVALS_LIGHT_GRID_BINDINGS_GLSL
+#include "light_grid.h"
+#ifndef GNO_LIGHT_GRID_SET
+#define GNO_LIGHT_GRID_SET 1
+#endif
+#ifndef GNO_LIGHT_GRID_BINDING_LISTS
+#define GNO_LIGHT_GRID_BINDING_LISTS 0
+#endif
+#ifndef GNO_LIGHT_GRID_BINDING_ITEMS
+#define GNO_LIGHT_GRID_BINDING_ITEMS 1
+#endif
+#ifndef GNO_LIGHT_GRID_BINDING_BOUNDS
+#define GNO_LIGHT_GRID_BINDING_BOUNDS 2
+#endif
+#ifndef GNO_LIGHT_GRID_BINDING_HEADER
+#define GNO_LIGHT_GRID_BINDING_HEADER 3
+#endif
+#ifndef GNO_LIGHT_GRID_READ_ONLY
+#define GNO_LIGHT_GRID_READ_ONLY 0
+#endif
+
+#if GNO_LIGHT_GRID_READ_ONLY
+layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_LISTS, std430) readonly buffer GnoLightGridListBuffer { GnoLightGridList v[]; } gnoGridLists;
+layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_ITEMS, std430) readonly buffer GnoLightGridItemBuffer { GnoLightGridItem v[]; } gnoGridItems;
+#else
+layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_LISTS, std430) buffer GnoLightGridListBuffer { GnoLightGridList v[]; } gnoGridLists;
+layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_ITEMS, std430) coherent buffer GnoLightGridItemBuffer { GnoLightGridItem v[]; } gnoGridItems;
+layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_BOUNDS, std430) buffer GnoLightGridBoundsBuffer { GnoLightGridBounds v[]; } gnoGridBounds;
+layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_HEADER, std430) buffer GnoLightGridHeaderBuffer { GnoLightGridHeader v; } gnoGridHeader;
+#define GNO_LIGHT_GRID_BOUNDS gnoGridBounds.v
+#define GNO_LIGHT_GRID_NESTS (uint(gnoGridBounds.v.length()) / GNO_LIGHT_GRID_GROUP)
+#define GNO_LIGHT_GRID_HEADER gnoGridHeader.v
+#endif
+#define GNO_LIGHT_GRID_LISTS gnoGridLists.v
+#define GNO_LIGHT_GRID_ITEMS gnoGridItems.v
+#define GNO_LIGHT_GRID_CAPACITY uint(gnoGridItems.v.length())
+#endif

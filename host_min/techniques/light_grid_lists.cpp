@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "host_min/techniques/light_grid_lists.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host_min/error.hpp"
+#include "host_min/techniques/forest_trees.hpp"
+#include "host_min/techniques/measure.hpp"
+
+namespace gno::host {
+namespace {
+
+constexpr uint32_t kMostGroups = 65535;  // the least maxComputeWorkGroupCount that Vulkan allows
+
+uint32_t groupsOf(uint32_t count) { return std::max(1u, (count + GNO_LIGHT_GRID_GROUP - 1) / GNO_LIGHT_GRID_GROUP); }
+
+/// `what` is in the pool of `given` entries (0: of any size), whose entries take 8 bytes.
+void checkPool(const DeviceFacts& device, const char* what, uint32_t needed, uint32_t given, uint32_t resolution) {
+    const uint64_t most = device.maxStorageBufferRange / 8;
+    if (needed > most)
+        throw InputError(fmt::format("the light grid needs {} {}, over the limit of {}: use a smaller --set cells than {}", needed, what, most, resolution));
+    if (given > 0 && given < needed) throw InputError(fmt::format("--set pool={}: the light grid needs {} {}: use a larger pool, or 0", given, needed, what));
+}
+
+}  // namespace
+
+LightGridLists::LightGridLists(const FrameInputs& inputs, const LightGridOptions& options)
+    : inputs_(inputs),
+      options_(options),
+      cellCount_(gnoCellCount(options.resolution, inputs.light().w != 0 ? 6 : 1)),
+      grid_(inputs.device(), sizeof(GnoForestGrid), vk::BufferUsageFlagBits::eUniformBuffer),
+      cells_(inputs.device(), uint64_t(cellCount_) * sizeof(GnoForestCell)),
+      forestHeader_(inputs.device(), sizeof(GnoForestHeader), vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer),
+      largeList_(inputs.device(), 4 * uint64_t(inputs.triangleCount())),
+      pool_(inputs.device(), 8),
+      lists_(inputs.device(), uint64_t(gnoLightGridLists(cellCount_, 0)) * sizeof(GnoLightGridList)),
+      bounds_(inputs.device(), sizeof(GnoLightGridBounds)),
+      itemPool_(inputs.device(), 8),
+      header_(inputs.device(), sizeof(GnoLightGridHeader), vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer) {
+    const Device& device = inputs.device();
+    if (groupsOf(inputs.triangleCount()) > kMostGroups)
+        throw InputError(fmt::format("{} triangles are over the light grid's limit of {}", inputs.triangleCount(), kMostGroups * GNO_LIGHT_GRID_GROUP));
+    const GnoForestGrid grid = forestGrid(inputs.light(), inputs.frame().low, inputs.frame().high, options.resolution);
+    grid_.upload(std::span(&grid, 1));
+    const auto submit = [&](auto... parts) {
+        Recording recording(device);
+        (parts(recording), ...);
+        recording.submit();
+    };
+    const auto cells = [&](Recording& recording) { recordCells(recording); };
+    const auto counts = [&](Recording& recording) { recordCounts(recording); };
+
+    submit(cells);  // first read-back: pairs, and cells that are to be nested
+    const auto forestHeader = forestHeader_.downloadAs<GnoForestHeader>().front();
+    pairs_ = forestHeader.pairs;
+    large_ = forestHeader.large;
+    nests_ = header_.downloadAs<GnoLightGridHeader>().front().nests;
+    checkPool(device.facts(), "pairs of cell and caster", pairs_, options.pool, options.resolution);
+    pool_ = Buffer(device, uint64_t(std::max(options.pool, pairs_)) * sizeof(GnoForestPair));
+    lists_ = Buffer(device, (uint64_t(gnoLightGridLists(cellCount_, 0)) + uint64_t(GNO_LIGHT_GRID_GROUP) * nests_) * sizeof(GnoLightGridList));
+    bounds_ = Buffer(device, uint64_t(GNO_LIGHT_GRID_GROUP) * nests_ * sizeof(GnoLightGridBounds));
+
+    submit(cells, counts);  // second: items of all lists
+    items_ = header_.downloadAs<GnoLightGridHeader>().front().items;
+    checkPool(device.facts(), "items of lists", items_, options.pool, options.resolution);
+    itemPool_ = Buffer(device, uint64_t(std::max(options.pool, items_)) * sizeof(GnoLightGridItem));
+
+    passes_.push_back({inputs.casterSetUp().name, inputs.casterSetUp().ms});
+    for (const PassTime& time : measure(device, options.repeat, options.warmUp, [&](Recording& recording) {
+             recordCells(recording);
+             recordCounts(recording);
+             recordItems(recording);
+         }))
+        passes_.push_back({time.name, time.ms});
+}
+
+std::vector<Binding> LightGridLists::resources() const {
+    return {{"gnoCasters", &inputs_.casters()}, {"gnoStates", &inputs_.states()},      {"gnoSamples", &inputs_.samples()}, {"gnoForestGrid", &grid_},
+            {"gnoForestCells", &cells_},        {"gnoForestPairs", &pool_},            {"gnoForestHeader", &forestHeader_}, {"gnoLarge", &largeList_},
+            {"gnoGridLists", &lists_},          {"gnoGridItems", &itemPool_},          {"gnoGridBounds", &bounds_},        {"gnoGridHeader", &header_}};
+}
+
+const ComputePass& LightGridLists::pass(const std::string& shader, Specialization constants) const {
+    if (shader != "forest/examples/reset.comp" && shader != "forest/examples/depth.comp" && shader != "forest/examples/sizes.comp") {
+        constants[30] = options_.viewCull;
+        constants[31] = options_.cover;
+        constants[33] = options_.nest;
+    }
+    return inputs_.passes().compute(shader, constants);
+}
+
+void LightGridLists::run(Recording& recording, const std::string& shader, uint32_t groups, Specialization constants) const {
+    const ExamplePush push = inputs_.push();
+    recording.barrier();
+    pass(shader, std::move(constants)).dispatch(recording, resources(), std::as_bytes(std::span(&push, 1)), groups);
+}
+
+void LightGridLists::runIndirect(Recording& recording, const std::string& shader, const Buffer& header, uint64_t offset, Specialization constants) const {
+    const ExamplePush push = inputs_.push();
+    recording.barrier();
+    pass(shader, std::move(constants)).dispatchIndirect(recording, resources(), std::as_bytes(std::span(&push, 1)), header, offset);
+}
+
+void LightGridLists::assign(Recording& recording, uint32_t step) const {
+    run(recording, "forest/examples/assign.comp", groupsOf(inputs_.triangleCount()), {{32, step}});
+    if (step == 2) run(recording, "forest/examples/sizes.comp", 1);
+    runIndirect(recording, "forest/examples/assign_large.comp", forestHeader_, offsetof(GnoForestHeader, groupsOfLarge), {{32, step}});
+}
+
+void LightGridLists::recordCells(Recording& recording) const {
+    const ExamplePush push = inputs_.push();
+    recording.beginPass("light_grid_setup_depth");
+    run(recording, "forest/examples/reset.comp", groupsOf(cellCount_));
+    run(recording, "rivals/examples/light_grid_reset.comp", 1);
+    recording.barrier();
+    if (options_.viewCull)
+        pass("forest/examples/depth.comp", {})
+            .dispatch(recording, resources(), std::as_bytes(std::span(&push, 1)), (inputs_.width() + 7) / 8, (inputs_.height() + 7) / 8);
+    recording.endPass();
+    recording.beginPass("light_grid_setup_count");
+    assign(recording, 2);
+    assign(recording, 3);
+    run(recording, "rivals/examples/light_grid_open.comp", groupsOf(cellCount_));
+    run(recording, "rivals/examples/light_grid_sizes.comp", 1);
+    recording.endPass();
+}
+
+void LightGridLists::recordCounts(Recording& recording) const {
+    const ExamplePush push = inputs_.push();
+    recording.beginPass("light_grid_setup_pairs");
+    assign(recording, 5);
+    recording.endPass();
+    recording.beginPass("light_grid_setup_nest");
+    if (nests_ > 0) {
+        if (options_.viewCull)
+            pass("rivals/examples/light_grid_depth.comp", {})
+                .dispatch(recording, resources(), std::as_bytes(std::span(&push, 1)), (inputs_.width() + 7) / 8, (inputs_.height() + 7) / 8);
+        for (const uint32_t step : {5u, 6u})
+            if (step == 6 || options_.cover)
+                runIndirect(recording, "rivals/examples/light_grid_pairs.comp", header_, offsetof(GnoLightGridHeader, groupsOfPairs), {{32, step}});
+    }
+    runIndirect(recording, "rivals/examples/light_grid_allocate.comp", header_, offsetof(GnoLightGridHeader, groupsOfLists));
+    recording.endPass();
+}
+
+void LightGridLists::recordItems(Recording& recording) const {
+    recording.beginPass("light_grid_setup_items");
+    runIndirect(recording, "rivals/examples/light_grid_pairs.comp", header_, offsetof(GnoLightGridHeader, groupsOfPairs), {{32, 8}});
+    recording.endPass();
+    recording.beginPass("light_grid_sort");
+    runIndirect(recording, "rivals/examples/light_grid_sort.comp", header_, offsetof(GnoLightGridHeader, groupsOfLists));
+    recording.endPass();
+}
+
+NamedNumbers LightGridLists::bytes() const {
+    return {{"lists", lists_.bytes()},
+            {"items", itemPool_.bytes()},
+            {"cells", cells_.bytes() + bounds_.bytes() + grid_.bytes() + forestHeader_.bytes() + header_.bytes()},
+            {"pairs", pool_.bytes()},
+            {"large_list", largeList_.bytes()}};
+}
+
+std::vector<DumpedBuffer> LightGridLists::dump() const {
+    return {{"grid", "GnoForestGrid", grid_.download()},
+            {"lists", "GnoLightGridList list[]", lists_.download()},
+            {"items", "GnoLightGridItem item[]", itemPool_.download()},
+            {"light_grid_header", "GnoLightGridHeader", header_.download()}};
+}
+
+}  // namespace gno::host
