@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 // gnomon rivals/light_grid_bindings.glsl : our buffers of the lists; leave it out and define the macros yourself where your storage differs.
 //
-// Defines    GNO_LIGHT_GRID_LISTS, GNO_LIGHT_GRID_ITEMS, GNO_LIGHT_GRID_CAPACITY; without GNO_LIGHT_GRID_READ_ONLY also GNO_LIGHT_GRID_BOUNDS, GNO_LIGHT_GRID_NESTS and
+// Defines    GNO_LIGHT_GRID_LISTS, GNO_LIGHT_GRID_ITEMS, GNO_LIGHT_GRID_CAPACITY, GNO_LIGHT_GRID_LOAD_PLANE(index); without GNO_LIGHT_GRID_READ_ONLY also GNO_LIGHT_GRID_BOUNDS, GNO_LIGHT_GRID_NESTS and
 //            GNO_LIGHT_GRID_HEADER
 // Space      as light_grid.h
 // Stages     any with storage buffers
 // Requires   #version 450, no extension. Include before the files of light_grid that use it
 //
 // Macro                          required  default  meaning
-// GNO_LIGHT_GRID_SET             no        1        descriptor set of all four
+// GNO_LIGHT_GRID_SET             no        1        descriptor set of all five
 // GNO_LIGHT_GRID_BINDING_LISTS   no        0        GnoLightGridList[gnoLightGridLists]
 // GNO_LIGHT_GRID_BINDING_ITEMS   no        1        GnoLightGridItem[capacity]; its length is the capacity
 // GNO_LIGHT_GRID_BINDING_BOUNDS  no        2        GnoLightGridBounds[64 nests]; its length says how many cells may be nested
 // GNO_LIGHT_GRID_BINDING_HEADER  no        3        GnoLightGridHeader
+// GNO_LIGHT_GRID_BINDING_PLANES  no        4        vec4[4 n], where queries use planes
 // GNO_LIGHT_GRID_READ_ONLY       no        0        1: queries only; lists and items are read-only, the others are not bound
 #ifndef GNO_RIVALS_LIGHT_GRID_BINDINGS_GLSL
 #define GNO_RIVALS_LIGHT_GRID_BINDINGS_GLSL
@@ -32,6 +33,9 @@
 #ifndef GNO_LIGHT_GRID_BINDING_HEADER
 #define GNO_LIGHT_GRID_BINDING_HEADER 3
 #endif
+#ifndef GNO_LIGHT_GRID_BINDING_PLANES
+#define GNO_LIGHT_GRID_BINDING_PLANES 4
+#endif
 #ifndef GNO_LIGHT_GRID_READ_ONLY
 #define GNO_LIGHT_GRID_READ_ONLY 0
 #endif
@@ -39,7 +43,9 @@
 #if GNO_LIGHT_GRID_READ_ONLY
 layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_LISTS, std430) readonly buffer GnoLightGridListBuffer { GnoLightGridList v[]; } gnoGridLists;
 layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_ITEMS, std430) readonly buffer GnoLightGridItemBuffer { GnoLightGridItem v[]; } gnoGridItems;
+layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_PLANES, std430) readonly buffer GnoLightGridPlaneBuffer { vec4 v[]; } gnoGridPlanes;
 #else
+layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_PLANES, std430) buffer GnoLightGridPlaneBuffer { vec4 v[]; } gnoGridPlanes;
 layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_LISTS, std430) buffer GnoLightGridListBuffer { GnoLightGridList v[]; } gnoGridLists;
 layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_ITEMS, std430) coherent buffer GnoLightGridItemBuffer { GnoLightGridItem v[]; } gnoGridItems;
 layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_BOUNDS, std430) buffer GnoLightGridBoundsBuffer { GnoLightGridBounds v[]; } gnoGridBounds;
@@ -50,5 +56,6 @@ layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_HEADER, std430
 #endif
 #define GNO_LIGHT_GRID_LISTS gnoGridLists.v
 #define GNO_LIGHT_GRID_ITEMS gnoGridItems.v
+#define GNO_LIGHT_GRID_LOAD_PLANE(index_) gnoGridPlanes.v[index_]
 #define GNO_LIGHT_GRID_CAPACITY uint(gnoGridItems.v.length())
 #endif

@@ -38,7 +38,8 @@ LightGridLists::LightGridLists(const FrameInputs& inputs, const LightGridOptions
       lists_(inputs.device(), uint64_t(gnoLightGridLists(cellCount_, 0)) * sizeof(GnoLightGridList)),
       bounds_(inputs.device(), sizeof(GnoLightGridBounds)),
       itemPool_(inputs.device(), 8),
-      header_(inputs.device(), sizeof(GnoLightGridHeader), vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer) {
+      header_(inputs.device(), sizeof(GnoLightGridHeader), vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer),
+      planes_(inputs.device(), options.planes ? 64 * uint64_t(inputs.triangleCount()) : 0) {
     const Device& device = inputs.device();
     if (groupsOf(inputs.triangleCount()) > kMostGroups)
         throw InputError(fmt::format("{} triangles are over the light grid's limit of {}", inputs.triangleCount(), kMostGroups * GNO_LIGHT_GRID_GROUP));
@@ -72,6 +73,11 @@ LightGridLists::LightGridLists(const FrameInputs& inputs, const LightGridOptions
              recordCells(recording);
              recordCounts(recording);
              recordItems(recording);
+             if (options.planes) {
+                 recording.beginPass("light_grid_setup_planes");
+                 run(recording, "rivals/examples/light_grid_planes.comp", groupsOf(inputs.triangleCount()));
+                 recording.endPass();
+             }
          }))
         passes_.push_back({time.name, time.ms});
 }
@@ -79,7 +85,8 @@ LightGridLists::LightGridLists(const FrameInputs& inputs, const LightGridOptions
 std::vector<Binding> LightGridLists::resources() const {
     return {{"gnoCasters", &inputs_.casters()}, {"gnoStates", &inputs_.states()},      {"gnoSamples", &inputs_.samples()}, {"gnoForestGrid", &grid_},
             {"gnoForestCells", &cells_},        {"gnoForestPairs", &pool_},            {"gnoForestHeader", &forestHeader_}, {"gnoLarge", &largeList_},
-            {"gnoGridLists", &lists_},          {"gnoGridItems", &itemPool_},          {"gnoGridBounds", &bounds_},        {"gnoGridHeader", &header_}};
+            {"gnoGridLists", &lists_},          {"gnoGridItems", &itemPool_},          {"gnoGridBounds", &bounds_},        {"gnoGridHeader", &header_},
+            {"gnoGridPlanes", &planes_}};
 }
 
 const ComputePass& LightGridLists::pass(const std::string& shader, Specialization constants) const {
@@ -149,7 +156,7 @@ void LightGridLists::recordItems(Recording& recording) const {
     recording.beginPass("light_grid_setup_items");
     runIndirect(recording, "rivals/examples/light_grid_pairs.comp", header_, offsetof(GnoLightGridHeader, groupsOfPairs), {{32, 8}});
     recording.endPass();
-    recording.beginPass("light_grid_sort");
+    recording.beginPass("light_grid_setup_sort");
     runIndirect(recording, "rivals/examples/light_grid_sort.comp", header_, offsetof(GnoLightGridHeader, groupsOfLists));
     recording.endPass();
 }
@@ -157,6 +164,7 @@ void LightGridLists::recordItems(Recording& recording) const {
 NamedNumbers LightGridLists::bytes() const {
     return {{"lists", lists_.bytes()},
             {"items", itemPool_.bytes()},
+            {"planes", planes_.bytes()},
             {"cells", cells_.bytes() + bounds_.bytes() + grid_.bytes() + forestHeader_.bytes() + header_.bytes()},
             {"pairs", pool_.bytes()},
             {"large_list", largeList_.bytes()}};

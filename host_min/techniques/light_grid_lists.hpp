@@ -15,6 +15,7 @@ struct LightGridOptions {
     uint32_t nest = 8;         ///< a cell with more casters gets 8 x 8 sub cells; 0: none does
     bool viewCull = true, cover = true;
     uint32_t pool = 0;         ///< pairs of cell and caster, and items of lists; 0: as many as the frame needs, which two read-backs tell
+    bool planes = true;        ///< a query asks the casters' planes first, 64 bytes each
     uint32_t repeat = 1;
     bool warmUp = true;
 };
@@ -46,7 +47,7 @@ private:
     LightGridOptions options_;
     uint32_t cellCount_ = 0, pairs_ = 0, items_ = 0, nests_ = 0, large_ = 0;
     Buffer grid_, cells_, forestHeader_, largeList_, pool_;  // of the assignment
-    Buffer lists_, bounds_, itemPool_, header_;
+    Buffer lists_, bounds_, itemPool_, header_, planes_;
     std::vector<RecordPass> passes_;
 };
 

@@ -3,8 +3,6 @@
 // SPDX-License-Identifier: MIT
 layout(constant_id = 0) const uint kPrecision = 2u;
 #define GNO_PRECISION kPrecision
-#include "../../core/counters.glsl"
-#define GNO_ORIENT3D_ON_EXACT GNO_COUNT(exactCalls, 1u)
 #include "../../core/bindings.glsl"
 #include "../../core/sample.glsl"
 #include "../../core/examples/frame.glsl"
