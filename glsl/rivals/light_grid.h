@@ -6,9 +6,12 @@
 //
 //   array     bytes                                 written by                          read by
 //   lists     8 * gnoLightGridLists(cells, nests)   open, count, allocate, emit         queries
-//   bounds    8 * 64 nests                          open, see sample                    count, emit
+//   depths    4 * 64 nests                          open, see sample                    count, emit
 //   items     8 * header.items                      emit, sort                          sort, queries
 //   header    32                                    reset, open, allocate, sizes        dispatches
+//   planes    64 n, where queries use them          light_grid_planes.glsl              queries
+//
+// `depths` holds a uint per sub cell: 1 + float bits of the greatest gnoLightDepth of a view sample in it, or 0.
 //
 // Space      light coordinates, q = gnoFromLight(p) (core/light.glsl)
 // Stages     any
@@ -28,13 +31,6 @@ struct GnoLightGridList {    // std430, 8 bytes
 };
 GNO_STRUCT_SIZE(GnoLightGridList, 8)
 GNO_STRUCT_OFFSET(GnoLightGridList, end, 4)
-
-struct GnoLightGridBounds {  // std430, 8 bytes: of a sub cell, as in GnoForestCell
-    uint farthest;           //  0  1 + float bits of the greatest gnoLightDepth of a view sample in it; 0: it has none
-    uint cover;              //  4  float bits: from this depth on a caster hides the whole cell
-};
-GNO_STRUCT_SIZE(GnoLightGridBounds, 8)
-GNO_STRUCT_OFFSET(GnoLightGridBounds, cover, 4)
 
 struct GnoLightGridItem {    // std430, 8 bytes
     uint depth;              //  0  float bits of gnoTopLeastDepth

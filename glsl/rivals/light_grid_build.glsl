@@ -5,27 +5,27 @@
 //   void gnoLightGridOpen(uint cell)                                              2: instead of gnoForestAllocate, which it calls; one invocation per cell
 //   void gnoLightGridSizes()                                                      3: group counts for the passes over pairs and lists; one invocation
 //   void gnoLightGridSeeSample(vec3 p)                                            4: sub cells know how far their view samples lie; one invocation per sample
-//   void gnoLightGridCover(uint cell, GnoCaster t, int facing)                    5: sub cells learn which depth hides them; one invocation per pair, as 6 and 8
-//   void gnoLightGridCount(uint cell, GnoCaster t, int facing)                    6: how many casters each sub cell keeps
-//   void gnoLightGridAllocate(uint list)                                          7: where its items go; one invocation per list
-//   void gnoLightGridEmit(uint cell, uint caster, GnoCaster t, int facing)        8: puts them there, in any order: light_grid_sort.glsl comes next
+//   void gnoLightGridCount(uint cell, GnoCaster t, int facing)                    5: how many casters each sub cell keeps; one invocation per pair, as 7
+//   void gnoLightGridAllocate(uint list)                                          6: where its items go; one invocation per list
+//   void gnoLightGridEmit(uint cell, uint caster, GnoCaster t, int facing)        7: puts them there, in any order: light_grid_sort.glsl comes next
 //
-// Each step is a dispatch of its own. gnoForestEmit comes between 3 and 5; its pairs are not needed after 8. A caster is kept in a sub cell as it is in a cell: unless its
-// volume certainly misses it, or begins beyond its farthest view sample, or beyond a caster that hides it (4 and 5 may be left out: then nothing is beyond).
-// 6 and 8 see the same sub cells, so a pool of header.items items is filled exactly; in a smaller one the rest is left out and header.items tells:
-// the lists are not complete then, and no query over them means anything. A cell that finds no room for its sub cells stays one list: longer, and right.
+// Each step is a dispatch of its own. gnoForestEmit comes between 3 and 5; its pairs are not needed after 7. A caster is kept in a sub cell unless its volume certainly misses
+// it, or begins beyond its farthest view sample (with GNO_FOREST_VIEW_CULL; without it 4 has no use). What hides a whole sub cell is not looked for: it would leave out 1 % of
+// the items and shortens no walk, because the list is in order. 5 and 7 see the same sub cells, so a pool of header.items items is filled exactly; in a
+// smaller one the rest is left out and header.items tells: the lists are not complete then, and no query over them means anything. A cell that finds no
+// room for its sub cells stays one list: longer, and right.
 //
 // Space      light coordinates; samples on the scene grid; facing = gnoFacing(light, t), never 0
 // Stages     any with storage buffers; may diverge
 // Requires   #version 450, no extension
 // Reads      grid, cells
-// Writes     cells, lists, bounds, items, header, by atomics (2, 4, 5, 6, 7, 8) or alone
-// Cost       5, 6, 8: at most 64 sub cells per pair, 12 plane evaluations each
+// Writes     cells, lists, depths, items, header, by atomics (2, 4, 5, 6, 7) or alone
+// Cost       5, 7: at most 64 sub cells per pair, 12 plane evaluations each
 //
 // Macro                     required  default  meaning
 // GNO_LIGHT_GRID_LISTS      yes       -        array of GnoLightGridList in a storage buffer
-// GNO_LIGHT_GRID_BOUNDS     yes       -        array of GnoLightGridBounds in a storage buffer
-// GNO_LIGHT_GRID_NESTS      yes       -        cells for whose sub cells lists and bounds have room
+// GNO_LIGHT_GRID_DEPTHS     yes       -        array of uint in a storage buffer
+// GNO_LIGHT_GRID_NESTS      yes       -        cells for whose sub cells lists and depths have room
 // GNO_LIGHT_GRID_ITEMS      yes       -        array of GnoLightGridItem in a storage buffer
 // GNO_LIGHT_GRID_CAPACITY   yes       -        items that the pool holds
 // GNO_LIGHT_GRID_HEADER     yes       -        GnoLightGridHeader in a storage buffer
@@ -35,8 +35,8 @@
 #define GNO_RIVALS_LIGHT_GRID_BUILD_GLSL
 #include "../forest/assign.glsl"
 #include "light_grid_place.glsl"
-#if !defined(GNO_LIGHT_GRID_LISTS) || !defined(GNO_LIGHT_GRID_BOUNDS) || !defined(GNO_LIGHT_GRID_NESTS) || !defined(GNO_LIGHT_GRID_ITEMS) || !defined(GNO_LIGHT_GRID_CAPACITY) || !defined(GNO_LIGHT_GRID_HEADER)
-#error "rivals/light_grid_build.glsl: define GNO_LIGHT_GRID_LISTS, GNO_LIGHT_GRID_BOUNDS, GNO_LIGHT_GRID_NESTS, GNO_LIGHT_GRID_ITEMS, GNO_LIGHT_GRID_CAPACITY and GNO_LIGHT_GRID_HEADER or include rivals/light_grid_bindings.glsl before this file"
+#if !defined(GNO_LIGHT_GRID_LISTS) || !defined(GNO_LIGHT_GRID_DEPTHS) || !defined(GNO_LIGHT_GRID_NESTS) || !defined(GNO_LIGHT_GRID_ITEMS) || !defined(GNO_LIGHT_GRID_CAPACITY) || !defined(GNO_LIGHT_GRID_HEADER)
+#error "rivals/light_grid_build.glsl: define GNO_LIGHT_GRID_LISTS, GNO_LIGHT_GRID_DEPTHS, GNO_LIGHT_GRID_NESTS, GNO_LIGHT_GRID_ITEMS, GNO_LIGHT_GRID_CAPACITY and GNO_LIGHT_GRID_HEADER or include rivals/light_grid_bindings.glsl before this file"
 #endif
 #ifndef GNO_LIGHT_GRID_NEST
 #define GNO_LIGHT_GRID_NEST 8u
@@ -62,7 +62,7 @@ GNO_INLINE void gnoLightGridOpen(uint cell_) {
     GNO_LIGHT_GRID_LISTS[cell_] = GnoLightGridList(first_, GNO_LIGHT_GRID_NESTED);
     for (uint i_ = 0u; i_ < GNO_LIGHT_GRID_GROUP; ++i_) {
         GNO_LIGHT_GRID_LISTS[first_ + i_] = GnoLightGridList(0u, 0u);
-        GNO_LIGHT_GRID_BOUNDS[GNO_LIGHT_GRID_GROUP * nest_ + i_] = GnoLightGridBounds(0u, GNO_FOREST_NONE);
+        GNO_LIGHT_GRID_DEPTHS[GNO_LIGHT_GRID_GROUP * nest_ + i_] = 0u;
     }
 }
 
@@ -79,7 +79,7 @@ GNO_INLINE void gnoLightGridSeeSample(vec3 p_) {
     GnoLightGridList list_ = GNO_LIGHT_GRID_LISTS[place_.x];
     if (list_.end != GNO_LIGHT_GRID_NESTED) return;
     uint depth_ = floatBitsToUint(gnoLightDepth(GNO_LIGHT, q_)) + 1u;
-    atomicMax(GNO_LIGHT_GRID_BOUNDS[list_.first - gnoLightGridFirstSub_() + place_.y].farthest, depth_);
+    atomicMax(GNO_LIGHT_GRID_DEPTHS[list_.first - gnoLightGridFirstSub_() + place_.y], depth_);
 }
 
 struct GnoLightGridSpan_ {  // the sub cells of one cell that a caster's volume may meet
@@ -105,27 +105,9 @@ GNO_INLINE GnoLightGridSpan_ gnoLightGridSpan_(uint cell_, uint first_, GnoFores
 GNO_INLINE uint gnoLightGridSub_(GnoLightGridSpan_ span_, uvec2 at_) { return span_.first + 8u * (at_.y - span_.corner.y) + (at_.x - span_.corner.x); }
 
 GNO_INLINE bool gnoLightGridKeeps_(GnoForestGrid fine_, GnoLightGridSpan_ span_, uvec2 at_, GnoCellVolume v_) {
-    GnoLightGridBounds bounds_ = GNO_LIGHT_GRID_BOUNDS[gnoLightGridSub_(span_, at_) - gnoLightGridFirstSub_()];
-    uint least_ = floatBitsToUint(v_.least);
-    if (GNO_FOREST_VIEW_CULL != 0 && bounds_.farthest <= least_) return false;
-    if (GNO_FOREST_USE_COVER != 0 && bounds_.cover < least_) return false;
+    uint farthest_ = GNO_LIGHT_GRID_DEPTHS[gnoLightGridSub_(span_, at_) - gnoLightGridFirstSub_()];
+    if (GNO_FOREST_VIEW_CULL != 0 && farthest_ <= floatBitsToUint(v_.least)) return false;
     return !gnoCellMissed(GNO_LIGHT, fine_, span_.face, at_, v_);
-}
-
-GNO_INLINE void gnoLightGridCover(uint cell_, GnoCaster t_, int facing_) {
-    GnoLightGridList list_ = GNO_LIGHT_GRID_LISTS[cell_];
-    if (list_.end != GNO_LIGHT_GRID_NESTED) return;
-    GnoCellVolume v_ = gnoCellVolume(GNO_LIGHT, t_, facing_);
-    if (!v_.bounded) return;
-    GnoForestGrid fine_ = gnoLightGridFine(GNO_FOREST_GRID);
-    GnoLightGridSpan_ span_ = gnoLightGridSpan_(cell_, list_.first, fine_, v_);
-    for (uint y_ = span_.from.y; y_ < span_.to.y; ++y_) {
-        for (uint x_ = span_.from.x; x_ < span_.to.x; ++x_) {
-            uvec2 at_ = uvec2(x_, y_);
-            if (gnoCellCovered(GNO_LIGHT, fine_, span_.face, at_, v_))
-                atomicMin(GNO_LIGHT_GRID_BOUNDS[gnoLightGridSub_(span_, at_) - gnoLightGridFirstSub_()].cover, floatBitsToUint(v_.most));
-        }
-    }
 }
 
 GNO_INLINE void gnoLightGridCount(uint cell_, GnoCaster t_, int facing_) {

@@ -36,7 +36,7 @@ LightGridLists::LightGridLists(const FrameInputs& inputs, const LightGridOptions
       largeList_(inputs.device(), 4 * uint64_t(inputs.triangleCount())),
       pool_(inputs.device(), 8),
       lists_(inputs.device(), uint64_t(gnoLightGridLists(cellCount_, 0)) * sizeof(GnoLightGridList)),
-      bounds_(inputs.device(), sizeof(GnoLightGridBounds)),
+      depths_(inputs.device(), 4),
       itemPool_(inputs.device(), 8),
       header_(inputs.device(), sizeof(GnoLightGridHeader), vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer),
       planes_(inputs.device(), options.planes ? 64 * uint64_t(inputs.triangleCount()) : 0) {
@@ -61,7 +61,7 @@ LightGridLists::LightGridLists(const FrameInputs& inputs, const LightGridOptions
     checkPool(device.facts(), "pairs of cell and caster", pairs_, options.pool, options.resolution);
     pool_ = Buffer(device, uint64_t(std::max(options.pool, pairs_)) * sizeof(GnoForestPair));
     lists_ = Buffer(device, (uint64_t(gnoLightGridLists(cellCount_, 0)) + uint64_t(GNO_LIGHT_GRID_GROUP) * nests_) * sizeof(GnoLightGridList));
-    bounds_ = Buffer(device, uint64_t(GNO_LIGHT_GRID_GROUP) * nests_ * sizeof(GnoLightGridBounds));
+    depths_ = Buffer(device, uint64_t(GNO_LIGHT_GRID_GROUP) * nests_ * 4);
 
     submit(cells, counts);  // second: items of all lists
     items_ = header_.downloadAs<GnoLightGridHeader>().front().items;
@@ -85,7 +85,7 @@ LightGridLists::LightGridLists(const FrameInputs& inputs, const LightGridOptions
 std::vector<Binding> LightGridLists::resources() const {
     return {{"gnoCasters", &inputs_.casters()}, {"gnoStates", &inputs_.states()},      {"gnoSamples", &inputs_.samples()}, {"gnoForestGrid", &grid_},
             {"gnoForestCells", &cells_},        {"gnoForestPairs", &pool_},            {"gnoForestHeader", &forestHeader_}, {"gnoLarge", &largeList_},
-            {"gnoGridLists", &lists_},          {"gnoGridItems", &itemPool_},          {"gnoGridBounds", &bounds_},        {"gnoGridHeader", &header_},
+            {"gnoGridLists", &lists_},          {"gnoGridItems", &itemPool_},          {"gnoGridDepths", &depths_},        {"gnoGridHeader", &header_},
             {"gnoGridPlanes", &planes_}};
 }
 
@@ -144,9 +144,7 @@ void LightGridLists::recordCounts(Recording& recording) const {
         if (options_.viewCull)
             pass("rivals/examples/light_grid_depth.comp", {})
                 .dispatch(recording, resources(), std::as_bytes(std::span(&push, 1)), (inputs_.width() + 7) / 8, (inputs_.height() + 7) / 8);
-        for (const uint32_t step : {5u, 6u})
-            if (step == 6 || options_.cover)
-                runIndirect(recording, "rivals/examples/light_grid_pairs.comp", header_, offsetof(GnoLightGridHeader, groupsOfPairs), {{32, step}});
+        runIndirect(recording, "rivals/examples/light_grid_pairs.comp", header_, offsetof(GnoLightGridHeader, groupsOfPairs), {{32, 5}});
     }
     runIndirect(recording, "rivals/examples/light_grid_allocate.comp", header_, offsetof(GnoLightGridHeader, groupsOfLists));
     recording.endPass();
@@ -154,7 +152,7 @@ void LightGridLists::recordCounts(Recording& recording) const {
 
 void LightGridLists::recordItems(Recording& recording) const {
     recording.beginPass("light_grid_setup_items");
-    runIndirect(recording, "rivals/examples/light_grid_pairs.comp", header_, offsetof(GnoLightGridHeader, groupsOfPairs), {{32, 8}});
+    runIndirect(recording, "rivals/examples/light_grid_pairs.comp", header_, offsetof(GnoLightGridHeader, groupsOfPairs), {{32, 7}});
     recording.endPass();
     recording.beginPass("light_grid_setup_sort");
     runIndirect(recording, "rivals/examples/light_grid_sort.comp", header_, offsetof(GnoLightGridHeader, groupsOfLists));
@@ -165,7 +163,7 @@ NamedNumbers LightGridLists::bytes() const {
     return {{"lists", lists_.bytes()},
             {"items", itemPool_.bytes()},
             {"planes", planes_.bytes()},
-            {"cells", cells_.bytes() + bounds_.bytes() + grid_.bytes() + forestHeader_.bytes() + header_.bytes()},
+            {"cells", cells_.bytes() + depths_.bytes() + grid_.bytes() + forestHeader_.bytes() + header_.bytes()},
             {"pairs", pool_.bytes()},
             {"large_list", largeList_.bytes()}};
 }

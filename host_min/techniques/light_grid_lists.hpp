@@ -47,7 +47,7 @@ private:
     LightGridOptions options_;
     uint32_t cellCount_ = 0, pairs_ = 0, items_ = 0, nests_ = 0, large_ = 0;
     Buffer grid_, cells_, forestHeader_, largeList_, pool_;  // of the assignment
-    Buffer lists_, bounds_, itemPool_, header_, planes_;
+    Buffer lists_, depths_, itemPool_, header_, planes_;
     std::vector<RecordPass> passes_;
 };
 

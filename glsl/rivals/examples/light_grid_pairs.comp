@@ -1,9 +1,9 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Steps 5 (cover), 6 (count) and 8 (emit). One invocation per pair of cell and caster.
+// Steps 5 (count) and 7 (emit). One invocation per pair of cell and caster.
 layout(local_size_x = 64) in;
-layout(constant_id = 32) const uint kStep = 6u;
+layout(constant_id = 32) const uint kStep = 5u;
 #include "light_grid_frame.glsl"
 
 void main() {
@@ -12,8 +12,7 @@ void main() {
         GnoForestPair pair = gnoForestPairs.v[n];
         GnoCaster t = GNO_LOAD_CASTER(pair.caster);
         int facing = gnoCasterFacing(gnoStates.v[pair.caster]);
-        if (kStep == 5u) gnoLightGridCover(pair.cell, t, facing);
-        if (kStep == 6u) gnoLightGridCount(pair.cell, t, facing);
-        if (kStep == 8u) gnoLightGridEmit(pair.cell, pair.caster, t, facing);
+        if (kStep == 5u) gnoLightGridCount(pair.cell, t, facing);
+        else gnoLightGridEmit(pair.cell, pair.caster, t, facing);
     }
 }

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// After step 8: the items of each list in order. One work group per 64 lists.
+// After step 7: the items of each list in order. One work group per 64 lists.
 layout(local_size_x = 64) in;
 #include "light_grid_frame.glsl"
 #include "../light_grid_sort.glsl"
