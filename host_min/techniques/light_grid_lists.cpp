@@ -90,11 +90,11 @@ std::vector<Binding> LightGridLists::resources() const {
 }
 
 const ComputePass& LightGridLists::pass(const std::string& shader, Specialization constants) const {
-    if (shader != "forest/examples/reset.comp" && shader != "forest/examples/depth.comp" && shader != "forest/examples/sizes.comp") {
-        constants[30] = options_.viewCull;
-        constants[31] = options_.cover;
-        constants[33] = options_.nest;
-    }
+    // What a shader does not use would only make another pipeline of it.
+    const bool assigns = shader.starts_with("forest/examples/assign");
+    if (assigns || shader.ends_with("_pairs.comp")) constants[30] = options_.viewCull;
+    if (assigns) constants[31] = options_.cover;
+    if (shader.ends_with("_open.comp")) constants[33] = options_.nest;
     return inputs_.passes().compute(shader, constants);
 }
 
