@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // gnomon rivals/light_grid.h : lists of casters per cell of the light's grid, in order of least depth; read by glslang and by C++20 (namespace gno).
 //
+//   uint gnoLightGridFirstSub(uint cells)                the first list of a sub cell: the cells' own lists come before it, in whole work groups
+//   uint gnoLightGridLists(uint cells, uint nests)       how many lists there are, with sub cells for `nests` cells
+//
 // The cells are those of forest/cells.h. A cell with many casters is divided into 8 x 8 sub cells, which are cells of a grid of eight times the resolution: what
 // forest/cells.glsl derives holds for them as it does for the cells.
 //
@@ -52,7 +55,6 @@ struct GnoLightGridHeader {  // std430, 32 bytes
 GNO_STRUCT_SIZE(GnoLightGridHeader, 32)
 GNO_STRUCT_OFFSET(GnoLightGridHeader, items, 28)
 
-// The first list of a sub cell: the cells' own lists come before it, in whole work groups.
 GNO_INLINE uint gnoLightGridFirstSub(uint cells_) { return (cells_ + GNO_LIGHT_GRID_GROUP - 1u) / GNO_LIGHT_GRID_GROUP * GNO_LIGHT_GRID_GROUP; }
 GNO_INLINE uint gnoLightGridLists(uint cells_, uint nests_) { return gnoLightGridFirstSub(cells_) + GNO_LIGHT_GRID_GROUP * nests_; }
 
