@@ -47,7 +47,7 @@ public:
         ask(inputs,
             {gridOptions.planes ? "rivals/examples/light_grid_query_planes" : "rivals/examples/light_grid_query", {{0, uint32_t(options.precision)}}, lists.resources(), "light_grid_query", settings.word("stage") == "fragment"},
             options, result);
-        result.counters.more = {{"pairs", lists.pairs()}, {"items", lists.items()}, {"nested_cells", lists.nests()}, {"large_casters", lists.large()}};
+        result.counters.more = {{"pairs", lists.pairs()}, {"items", lists.items()}, {"nested_cells", lists.nests()}};
         if (options.dump) result.dump = lists.dump();
         return result;
     }

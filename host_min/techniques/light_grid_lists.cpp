@@ -33,7 +33,8 @@ LightGridLists::LightGridLists(const FrameInputs& inputs, const LightGridOptions
       grid_(inputs.device(), sizeof(GnoForestGrid), vk::BufferUsageFlagBits::eUniformBuffer),
       cells_(inputs.device(), uint64_t(cellCount_) * sizeof(GnoForestCell)),
       forestHeader_(inputs.device(), sizeof(GnoForestHeader), vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer),
-      largeList_(inputs.device(), 4 * uint64_t(inputs.triangleCount())),
+      list_(inputs.device(), 4 * uint64_t(inputs.triangleCount())),
+      few_(inputs.device(), sizeof(GnoForestFew) * uint64_t(inputs.triangleCount())),
       pool_(inputs.device(), 8),
       lists_(inputs.device(), uint64_t(gnoLightGridLists(cellCount_, 0)) * sizeof(GnoLightGridList)),
       depths_(inputs.device(), 4),
@@ -54,9 +55,7 @@ LightGridLists::LightGridLists(const FrameInputs& inputs, const LightGridOptions
     const auto counts = [&](Recording& recording) { recordCounts(recording); };
 
     submit(cells);  // first read-back: pairs, and cells that are to be nested
-    const auto forestHeader = forestHeader_.downloadAs<GnoForestHeader>().front();
-    pairs_ = forestHeader.pairs;
-    large_ = forestHeader.large;
+    pairs_ = forestHeader_.downloadAs<GnoForestHeader>().front().pairs;
     nests_ = header_.downloadAs<GnoLightGridHeader>().front().nests;
     checkPool(device.facts(), "pairs of cell and caster", pairs_, options.pool, options.resolution);
     pool_ = Buffer(device, uint64_t(std::max(options.pool, pairs_)) * sizeof(GnoForestPair));
@@ -84,14 +83,14 @@ LightGridLists::LightGridLists(const FrameInputs& inputs, const LightGridOptions
 
 std::vector<Binding> LightGridLists::resources() const {
     return {{"gnoCasters", &inputs_.casters()}, {"gnoStates", &inputs_.states()},      {"gnoSamples", &inputs_.samples()}, {"gnoForestGrid", &grid_},
-            {"gnoForestCells", &cells_},        {"gnoForestPairs", &pool_},            {"gnoForestHeader", &forestHeader_}, {"gnoLarge", &largeList_},
+            {"gnoForestCells", &cells_},        {"gnoForestPairs", &pool_},            {"gnoForestHeader", &forestHeader_}, {"gnoList", &list_},
             {"gnoGridLists", &lists_},          {"gnoGridItems", &itemPool_},          {"gnoGridDepths", &depths_},        {"gnoGridHeader", &header_},
-            {"gnoGridPlanes", &planes_}};
+            {"gnoGridPlanes", &planes_},        {"gnoForestFew", &few_}};
 }
 
 const ComputePass& LightGridLists::pass(const std::string& shader, Specialization constants) const {
     // What a shader does not use would only make another pipeline of it.
-    const bool assigns = shader.starts_with("forest/examples/assign");
+    const bool assigns = shader.starts_with("forest/examples/assign") || shader == "forest/examples/sort.comp";
     if (assigns || shader.ends_with("_pairs.comp")) constants[30] = options_.viewCull;
     if (assigns) constants[31] = options_.cover;
     if (shader.ends_with("_open.comp")) constants[33] = options_.nest;
@@ -111,9 +110,9 @@ void LightGridLists::runIndirect(Recording& recording, const std::string& shader
 }
 
 void LightGridLists::assign(Recording& recording, uint32_t step) const {
-    run(recording, "forest/examples/assign.comp", groupsOf(inputs_.triangleCount()), {{32, step}});
-    if (step == 2) run(recording, "forest/examples/sizes.comp", 1);
-    runIndirect(recording, "forest/examples/assign_large.comp", forestHeader_, offsetof(GnoForestHeader, groupsOfLarge), {{32, step}});
+    runIndirect(recording, "forest/examples/assign_many.comp", forestHeader_, offsetof(GnoForestHeader, groupsOfMany), {{32, step}});
+    runIndirect(recording, "forest/examples/assign_some.comp", forestHeader_, offsetof(GnoForestHeader, groupsOfSome), {{32, step}});
+    if (step != 3) run(recording, "forest/examples/assign_few.comp", groupsOf(inputs_.triangleCount()), {{32, step}});
 }
 
 void LightGridLists::recordCells(Recording& recording) const {
@@ -124,11 +123,13 @@ void LightGridLists::recordCells(Recording& recording) const {
     recording.barrier();
     if (options_.viewCull)
         pass("forest/examples/depth.comp", {})
-            .dispatch(recording, resources(), std::as_bytes(std::span(&push, 1)), (inputs_.width() + 7) / 8, (inputs_.height() + 7) / 8);
+            .dispatch(recording, resources(), std::as_bytes(std::span(&push, 1)), (inputs_.width() + 31) / 32, (inputs_.height() + 15) / 16);
+    run(recording, "forest/examples/sort.comp", groupsOf(inputs_.triangleCount()));
+    run(recording, "forest/examples/sizes.comp", 1);
     recording.endPass();
     recording.beginPass("light_grid_setup_count");
-    assign(recording, 2);
-    assign(recording, 3);
+    if (options_.cover) assign(recording, 3);
+    assign(recording, 4);
     run(recording, "rivals/examples/light_grid_open.comp", groupsOf(cellCount_));
     run(recording, "rivals/examples/light_grid_sizes.comp", 1);
     recording.endPass();
@@ -137,7 +138,7 @@ void LightGridLists::recordCells(Recording& recording) const {
 void LightGridLists::recordCounts(Recording& recording) const {
     const ExamplePush push = inputs_.push();
     recording.beginPass("light_grid_setup_pairs");
-    assign(recording, 5);
+    assign(recording, 6);
     recording.endPass();
     recording.beginPass("light_grid_setup_nest");
     if (nests_ > 0) {
@@ -165,7 +166,7 @@ NamedNumbers LightGridLists::bytes() const {
             {"planes", planes_.bytes()},
             {"cells", cells_.bytes() + depths_.bytes() + grid_.bytes() + forestHeader_.bytes() + header_.bytes()},
             {"pairs", pool_.bytes()},
-            {"large_list", largeList_.bytes()}};
+            {"casters", list_.bytes() + few_.bytes()}};
 }
 
 std::vector<DumpedBuffer> LightGridLists::dump() const {

@@ -30,7 +30,6 @@ public:
     [[nodiscard]] uint32_t pairs() const { return pairs_; }
     [[nodiscard]] uint32_t items() const { return items_; }
     [[nodiscard]] uint32_t nests() const { return nests_; }
-    [[nodiscard]] uint32_t large() const { return large_; }
     [[nodiscard]] NamedNumbers bytes() const;
     [[nodiscard]] std::vector<DumpedBuffer> dump() const;
 
@@ -45,8 +44,8 @@ private:
 
     const FrameInputs& inputs_;
     LightGridOptions options_;
-    uint32_t cellCount_ = 0, pairs_ = 0, items_ = 0, nests_ = 0, large_ = 0;
-    Buffer grid_, cells_, forestHeader_, largeList_, pool_;  // of the assignment
+    uint32_t cellCount_ = 0, pairs_ = 0, items_ = 0, nests_ = 0;
+    Buffer grid_, cells_, forestHeader_, list_, few_, pool_;  // of the assignment
     Buffer lists_, depths_, itemPool_, header_, planes_;
     std::vector<RecordPass> passes_;
 };

@@ -8,6 +8,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_FOREST_BINDING_CELLS 21
 #define GNO_FOREST_BINDING_PAIRS 22
 #define GNO_FOREST_BINDING_HEADER 23
+#define GNO_FOREST_BINDING_FEW 24
 #define GNO_LIGHT_GRID_SET 2
 #define GNO_LIGHT_GRID_BINDING_LISTS 10
 #define GNO_LIGHT_GRID_BINDING_ITEMS 11

@@ -6,7 +6,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 position; uint count; uint
 #include "gnomon/forest/cells.h"
 #include "gnomon/rivals/light_grid.h"
 layout(set = 1, binding = 6, std430) readonly buffer Corners { vec4 corner[]; } corners;
-layout(set = 1, binding = 7, std430) coherent buffer Forest { GnoForestHeader header; GnoForestGrid grid; GnoForestCell cells[4096]; GnoForestPair pairs[4096]; } forest;
+layout(set = 1, binding = 7, std430) coherent buffer Forest { GnoForestHeader header; GnoForestGrid grid; GnoForestCell cells[4096]; GnoForestPair pairs[4096]; GnoForestFew few[4096]; } forest;
 layout(set = 1, binding = 8, std430) coherent buffer Lists { GnoLightGridHeader header; GnoLightGridList lists[8192]; uint depths[4096]; GnoLightGridItem items[4096]; } ours;
 // Names that a careless module would capture, of types that fit nowhere else: a local of that name inside the module would not compile.
 struct Trap { mat4x3 m; };

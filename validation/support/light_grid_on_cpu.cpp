@@ -30,6 +30,7 @@ struct Array : std::vector<T> {
 struct State {
     Array<GnoCaster> casters;
     Array<GnoForestCell> cells;
+    Array<GnoForestFew> few;
     Array<GnoForestPair> pairs;
     Array<GnoLightGridList> lists;
     Array<uint> depths;
@@ -44,6 +45,7 @@ struct State {
 
 #define GNO_FOREST_GRID state.grid
 #define GNO_FOREST_CELLS state.cells
+#define GNO_FOREST_FEW state.few
 #define GNO_FOREST_PAIRS state.pairs
 #define GNO_FOREST_CAPACITY uint(state.pairs.size())
 #define GNO_FOREST_HEADER state.forest
@@ -95,18 +97,29 @@ public:
         state.lists.assign(gnoLightGridLists(count, count), GnoLightGridList{0xDEADBEEFu, 0xDEADBEEFu});
         state.depths.assign(64 * count, 0xDEADBEEFu);
         state.planes.assign(4 * casters.size(), vec4(0));
-        state.forest = GnoForestHeader{0u, 1u, 1u, 0u, 0u, 1u, 1u, 0u};
-        for (const GnoViewSample& s : samples) gnoForestSeeSample(s.position);
+        state.forest = {};
+        GnoForestSeen seen = gnoForestSeen();
+        for (const GnoViewSample& s : samples) gnoForestSeeSample(seen, s.position);
+        gnoForestTell(seen);
         const auto each = [&](const auto& what) {
             for (uint caster = 0; caster < casters.size(); ++caster)
                 if (const int facing = gnoFacing(light, casters[caster]); facing != 0) what(caster, facing);
         };
-        each([&](uint caster, int facing) { gnoForestCover(gnoCellVolume(light, casters[caster], facing), 0u, 1u); });
-        each([&](uint caster, int facing) { gnoForestCount(gnoCellVolume(light, casters[caster], facing), 0u, 1u); });
+        state.few.assign(casters.size(), GnoForestFew{0u, 0u});
+        std::vector<uint> sizes(casters.size(), GNO_FOREST_FEW_CELLS);
+        each([&](uint caster, int) { sizes[caster] = gnoForestSort(caster, gnoCellSight(light, casters[caster])); });
+        const auto assign = [&](const auto& few, const auto& more) {
+            each([&](uint caster, int facing) {
+                if (sizes[caster] == GNO_FOREST_FEW_CELLS) few(caster);
+                else more(caster, gnoCellVolume(light, casters[caster], facing));
+            });
+        };
+        assign([](uint) {}, [](uint, const GnoCellVolume& v) { gnoForestCover(v, 0u, 1u); });
+        assign([](uint caster) { gnoForestCountFew(caster); }, [](uint, const GnoCellVolume& v) { gnoForestCount(v, 0u, 1u); });
         gnoLightGridReset();
         for (uint cell = 0; cell < gnoLightGridFirstSub(count); ++cell) gnoLightGridOpen(cell);
         state.pairs.assign(state.forest.pairs, GnoForestPair{0u, 0u});
-        each([&](uint caster, int facing) { gnoForestEmit(caster, gnoCellVolume(light, casters[caster], facing), 0u, 1u); });
+        assign([](uint caster) { gnoForestEmitFew(caster); }, [](uint caster, const GnoCellVolume& v) { gnoForestEmit(caster, v, 0u, 1u); });
         for (const GnoViewSample& s : samples) gnoLightGridSeeSample(s.position);
         const auto eachPair = [&](const auto& what) {
             for (const GnoForestPair& pair : state.pairs) what(pair, casters[pair.caster], gnoFacing(light, casters[pair.caster]));

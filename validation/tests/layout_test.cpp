@@ -7,6 +7,7 @@
 #include <spirv_cross/spirv_cross.hpp>
 
 #include "glsl/clusters/cluster.h"
+#include "glsl/forest/cells.h"
 #include "glsl/rivals/light_grid.h"
 #include "glsl/shadow_map/view.h"
 #include "glsl/top/node.h"
@@ -179,6 +180,33 @@ TEST(Layout, HeaderAndArraysOfAClusterHierarchy) {
         EXPECT_EQ(traverse.stride(words), 4u) << words;
     for (const char* pairs : {"gnoClusterPointers", "gnoClusterInfo", "gnoClusterJobs"}) EXPECT_EQ(traverse.stride(pairs), 8u) << pairs;
     EXPECT_EQ(7 * traverse.stride("gnoClusterVolumes"), 112u);
+}
+
+TEST(Layout, GridCellsPairsAndHeaderOfAForest) {
+    const std::vector<Member> grid{MEMBER(GnoForestGrid, across),    MEMBER(GnoForestGrid, along),      MEMBER(GnoForestGrid, stepAcross),
+                                   MEMBER(GnoForestGrid, stepAlong), MEMBER(GnoForestGrid, resolution), MEMBER(GnoForestGrid, faces)};
+    const std::vector<Member> cell{MEMBER(GnoForestCell, farthest), MEMBER(GnoForestCell, cover), MEMBER(GnoForestCell, pairs), MEMBER(GnoForestCell, root)};
+    const std::vector<Member> pair{MEMBER(GnoForestPair, caster), MEMBER(GnoForestPair, cell)};
+    const std::vector<Member> header{MEMBER(GnoForestHeader, groupsOfPairs), MEMBER(GnoForestHeader, one0),          MEMBER(GnoForestHeader, one1),
+                                     MEMBER(GnoForestHeader, pairs),         MEMBER(GnoForestHeader, groupsOfLarge), MEMBER(GnoForestHeader, one2),
+                                     MEMBER(GnoForestHeader, one3),          MEMBER(GnoForestHeader, large)};
+    for (const std::string shader : {"reset.comp", "depth.comp", "assign.comp", "assign_large.comp", "allocate.comp", "sizes.comp", "set_up.comp", "build.comp",
+                                     "query_stack.comp", "query_hybrid.frag", "query_stackless.comp.counters"}) {
+        SCOPED_TRACE(shader);
+        const Reflection reflection("forest/examples/" + shader);
+        expectSame(reflection.member("gnoForestGrid", 0), grid, sizeof(GnoForestGrid));
+        expectSame(reflection.member("gnoForestCells", 0), cell, sizeof(GnoForestCell));
+        expectSame(reflection.member("gnoForestPairs", 0), pair, sizeof(GnoForestPair));
+        expectSame(reflection.member("gnoForestHeader", 0), header, sizeof(GnoForestHeader));
+        EXPECT_EQ(reflection.stride("gnoForestCells"), sizeof(GnoForestCell));
+        EXPECT_EQ(reflection.stride("gnoForestPairs"), sizeof(GnoForestPair));
+    }
+    for (const size_t dispatch : {offsetof(GnoForestHeader, groupsOfPairs), offsetof(GnoForestHeader, groupsOfLarge)})
+        EXPECT_EQ(dispatch % 4, 0u) << "an indirect dispatch reads it";
+    EXPECT_EQ(offsetof(GnoForestHeader, one1), offsetof(GnoForestHeader, groupsOfPairs) + 8) << "its three words lie together";
+    EXPECT_EQ(offsetof(GnoForestHeader, one3), offsetof(GnoForestHeader, groupsOfLarge) + 8);
+    EXPECT_EQ(gnoCellCount(64, 6), 24576u);
+    EXPECT_EQ(gnoCellCount(1024, 6), 6u << 20);
 }
 
 TEST(Layout, ViewsOfAShadowMap) {
