@@ -25,10 +25,10 @@ uint32_t mostPairs(const DeviceFacts& device) {
 
 constexpr std::array kResolutions{4u, 8u, 16u, 32u, 64u, 128u, 256u};
 
-/// What a build and a query cost together, counted in visited nodes of a query: a pair as many as 65, a sample as the trees' size has it (glsl/README, "How many cells").
+/// What a build and a query cost together, in visited nodes of a query: a pair costs as much as 65, a sample visits 5.5 times the 0.3rd power of the pairs that a cell
+/// holds in the mean. Fitted to 13 scenes at 1920x1080, see glsl/README.md, "How many cells".
 double expectedVisits(const GnoForestHeader& found, uint64_t samples) {
-    const double size = double(found.pairs) / std::max(1u, found.used);
-    return 65.0 * found.pairs + double(samples) * 2.5 * std::sqrt(size);
+    return 65.0 * found.pairs + double(samples) * 5.5 * std::pow(double(found.pairs) / std::max(1u, found.used), 0.3);
 }
 
 }  // namespace

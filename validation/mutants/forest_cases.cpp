@@ -294,12 +294,12 @@ std::string failure(const CellFamily& family, const cpu::Forest& forest, cpu::Ce
 }
 
 std::string failure(const ForestCase& c, cpu::Forest& forest, size_t scenes) {
-    constexpr uint kSmall[] = {1, 4, 2, 8};
+    constexpr uint kSmall[] = {1, 4, 2, 16};
     for (size_t i = 0; i < std::min(c.scenes.size(), scenes); ++i) {
         const cpu::TinyScene& s = c.scenes[i];
         for (uint way = 0; way < 4; ++way) {
             const GnoForestGrid grid = host::forestGrid(s.light, vec3(-1), vec3(1), kSmall[(i + way) % 4]);
-            const cpu::ForestChoice choice{.viewCull = way % 2 == 0, .cover = way < 2, .seed = uint(i), .large = way == 0 ? 8u : 64u};
+            const cpu::ForestChoice choice{.viewCull = way % 2 == 0, .cover = way < 2, .seed = uint(i)};
             const std::string wrong = cpu::wrongForest(forest, s, grid, c.expected[i], choice, uint(i + way) % cpu::kFloatModes);
             if (!wrong.empty()) return c.name + ", scene " + std::to_string(i) + ": " + wrong + "\n" + show(s);
         }

@@ -25,6 +25,7 @@ struct State {
     std::vector<GnoCaster> casters;
     GnoForestGrid grid{};
     std::vector<GnoForestCell> cells;
+    std::vector<GnoForestFew> few;
     std::vector<GnoForestPair> pairs;
     GnoForestHeader header{};
     std::vector<vec4> planes;
@@ -50,6 +51,10 @@ T& element(std::vector<T>& v, uint index) {
 struct Cells {
     GnoForestCell& operator[](uint index) const { return element(state.cells, index); }
 } constexpr cpuCells;
+
+struct Few {
+    GnoForestFew& operator[](uint index) const { return element(state.few, index); }
+} constexpr cpuFew;
 
 struct Pairs {
     GnoForestPair& operator[](uint index) const { return element(state.pairs, index); }
@@ -79,6 +84,7 @@ GnoTopNode loadNode(uint index) {
 
 #define GNO_FOREST_GRID state.grid
 #define GNO_FOREST_CELLS cpuCells
+#define GNO_FOREST_FEW cpuFew
 #define GNO_FOREST_PAIRS cpuPairs
 #define GNO_FOREST_CAPACITY state.capacity
 #define GNO_FOREST_HEADER state.header
@@ -122,19 +128,43 @@ struct Counter {
 #include "glsl/top/query_stack.glsl"
 #include "glsl/top/query_stackless.glsl"
 
-/// Steps 2, 3 and 5 as the examples share them out: a large caster to 64 lanes, any other to one invocation, which skips 2 below nine cells.
-void step(uint which, uint caster) {
-    const int facing = gnoFacing(state.light, state.casters[caster]);
-    if (facing == 0) return;
-    const GnoCellVolume v = gnoCellVolume(state.light, state.casters[caster], facing);
-    const uint span = gnoForestSpan(v);
-    const uint lanes = span > state.choice.large ? 64 : 1;
-    if (which == 2 && lanes > 1) ++state.header.large;
-    if (which == 2 && (!state.choice.cover || (lanes == 1 && span < 9))) return;
-    for (uint lane = 0; lane < lanes; ++lane) {
-        if (which == 2) gnoForestCover(v, lane, lanes);
-        if (which == 3) gnoForestCount(v, lane, lanes);
-        if (which == 5) gnoForestEmit(caster, v, lane, lanes);
+/// Step 2 as the examples have it: casters by the number of their cells.
+struct Lists {
+    std::vector<uint> some, many;
+};
+
+Lists sortCasters() {
+    Lists lists;
+    for (uint caster = 0; caster < state.casters.size(); ++caster) {
+        if (gnoFacing(state.light, state.casters[caster]) == 0) {
+            gnoForestNone(caster);
+            continue;
+        }
+        const uint size = gnoForestSort(caster, gnoCellSight(state.light, state.casters[caster]));
+        if (size == GNO_FOREST_SOME_CELLS) lists.some.push_back(caster);
+        if (size == GNO_FOREST_MANY_CELLS) lists.many.push_back(caster);
+    }
+    state.header.some = uint(lists.some.size());
+    state.header.many = uint(lists.many.size());
+    return lists;
+}
+
+/// Steps 3, 4 and 6: a caster with many cells is shared by 64 lanes, any other has one invocation.
+void step(uint which, const Lists& lists) {
+    const auto assign = [&](uint caster, uint lanes) {
+        const GnoCellVolume v = gnoCellVolume(state.light, state.casters[caster], gnoFacing(state.light, state.casters[caster]));
+        for (uint lane = 0; lane < lanes; ++lane) {
+            if (which == 3) gnoForestCover(v, lane, lanes);
+            if (which == 4) gnoForestCount(v, lane, lanes);
+            if (which == 6) gnoForestEmit(caster, v, lane, lanes);
+        }
+    };
+    for (const uint caster : lists.many) assign(caster, 64);
+    for (const uint n : cpu::insertionOrder(uint(lists.some.size()), state.choice.seed)) assign(lists.some[n], 1);
+    if (which == 3) return;
+    for (const uint caster : cpu::insertionOrder(uint(state.casters.size()), state.choice.seed)) {
+        if (which == 4) gnoForestCountFew(caster);
+        else gnoForestEmitFew(caster);
     }
 }
 
@@ -147,7 +177,8 @@ public:
     [[nodiscard]] cpu::CasterCells cellsOf(vec4 light, const GnoForestGrid& grid, const GnoCaster& caster) const override {
         const GnoCellVolume v = gnoCellVolume(light, caster, gnoFacing(light, caster));
         cpu::CasterCells cells;
-        for (uint face = 0; face < grid.faces; ++face) cells.rectangles.push_back(gnoCellRectangle(light, grid, face, v));
+        for (uint face = 0; face < grid.faces; ++face)
+            cells.rectangles.push_back(face >= v.face && face < v.faceEnd ? gnoCellRectangle(light, grid, face, v) : uvec4(0u));
         cells.least = v.least;
         cells.most = v.most;
         cells.missed = [=](uint face, uvec2 at) { return gnoCellMissed(light, grid, face, at, v); };
@@ -163,16 +194,21 @@ public:
         state.light = light;
         state.choice = choice;
         state.cells.assign(gnoCellCount(grid.resolution, grid.faces), {0, GNO_FOREST_NONE, 0, GNO_FOREST_NONE});
-        state.header = {0, 1, 1, 0, 0, 1, 1, 0};
-        if (choice.viewCull)
-            for (const GnoViewSample& s : samples) gnoForestSeeSample(s.position);
-        for (const uint which : {2u, 3u})
-            for (uint caster = 0; caster < count; ++caster) step(which, caster);
+        state.few.assign(count, {poison, poison});
+        state.header = {};
+        for (size_t i = 0; choice.viewCull && i < samples.size(); i += 8) {  // eight to an invocation
+            GnoForestSeen seen = gnoForestSeen();
+            for (size_t n = i; n < std::min(samples.size(), i + 8); ++n) gnoForestSeeSample(seen, samples[n].position);
+            gnoForestTell(seen);
+        }
+        const Lists lists = sortCasters();
+        if (choice.cover) step(3, lists);
+        step(4, lists);
         for (uint cell = 0; cell < state.cells.size(); ++cell) gnoForestAllocate(cell);
         state.capacity = std::min(choice.capacity, state.header.pairs);
         gnoForestSizes();
         state.pairs.assign(state.capacity, {GNO_FOREST_NONE, GNO_FOREST_NONE});
-        for (const uint caster : cpu::insertionOrder(count, choice.seed)) step(5, caster);
+        step(6, lists);
         state.planes.assign(4 * size_t(state.capacity), vec4(uintBitsToFloat(poison)));
         state.links.assign(4 * size_t(state.capacity), GnoTopLink{poison, poison, poison, poison});
         for (uint block = 0; block < state.capacity; ++block) {

@@ -17,7 +17,7 @@ namespace gno::cpu {
 
 /// What glsl/forest knows of a caster, whole and for one cell.
 struct CasterCells {
-    std::vector<uvec4> rectangles;  ///< per face: columns x .. z-1, rows y .. w-1
+    std::vector<uvec4> rectangles;  ///< per face: columns x .. z-1, rows y .. w-1; none on faces that the caster is said not to meet
     float least = 0, most = 0;      ///< bounds of gnoLightDepth
     std::function<bool(uint face, uvec2 at)> missed, covered;  ///< valid until the next call of the same forest
 };
@@ -27,7 +27,6 @@ struct ForestChoice {
     bool viewCull = true, cover = true;
     uint seed = 1;                ///< of the insertion order
     uint capacity = 0xFFFFFFFFu;  ///< pairs the pool holds; more than are counted: as many as are counted
-    uint large = 64;              ///< a caster over more cells than these is shared by 64 lanes
 };
 
 class Forest {

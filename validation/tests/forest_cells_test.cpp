@@ -19,7 +19,7 @@ std::unique_ptr<cpu::Forest> plain() {
 /// More by GNOMON_FOREST_QUESTIONS, for a long run.
 uint questionCount() {
     const char* given = std::getenv("GNOMON_FOREST_QUESTIONS");
-    return given ? uint(std::atoi(given)) : 4000u;
+    return given ? uint(std::atoi(given)) : 1500u;
 }
 
 TEST(ForestCells, ClaimsHold) {
