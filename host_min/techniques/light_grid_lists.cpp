@@ -20,8 +20,10 @@ uint32_t groupsOf(uint32_t count) { return std::max(1u, (count + GNO_LIGHT_GRID_
 void checkPool(const DeviceFacts& device, const char* what, uint32_t needed, uint32_t given, uint32_t resolution) {
     const uint64_t most = device.maxStorageBufferRange / 8;
     if (needed > most)
-        throw InputError(fmt::format("the light grid needs {} {}, over the limit of {}: use a smaller --set cells than {}", needed, what, most, resolution));
-    if (given > 0 && given < needed) throw InputError(fmt::format("--set pool={}: the light grid needs {} {}: use a larger pool, or 0", given, needed, what));
+        throw InputError(
+            fmt::format("the light grid needs {} {}, over the limit of {}: use a smaller --set cells than {}", needed, what, most, resolution));
+    if (given > 0 && given < needed)
+        throw InputError(fmt::format("--set pool={}: the light grid needs {} {}: use a larger pool, or 0", given, needed, what));
 }
 
 }  // namespace
@@ -43,7 +45,8 @@ LightGridLists::LightGridLists(const FrameInputs& inputs, const LightGridOptions
       planes_(inputs.device(), options.planes ? 64 * uint64_t(inputs.triangleCount()) : 0) {
     const Device& device = inputs.device();
     if (groupsOf(inputs.triangleCount()) > kMostGroups)
-        throw InputError(fmt::format("{} triangles are over the light grid's limit of {}", inputs.triangleCount(), kMostGroups * GNO_LIGHT_GRID_GROUP));
+        throw InputError(
+            fmt::format("{} triangles are over the light grid's limit of {}", inputs.triangleCount(), kMostGroups * GNO_LIGHT_GRID_GROUP));
     const GnoForestGrid grid = forestGrid(inputs.light(), inputs.frame().low, inputs.frame().high, options.resolution);
     grid_.upload(std::span(&grid, 1));
     const auto submit = [&](auto... parts) {
@@ -82,9 +85,9 @@ LightGridLists::LightGridLists(const FrameInputs& inputs, const LightGridOptions
 }
 
 std::vector<Binding> LightGridLists::resources() const {
-    return {{"gnoCasters", &inputs_.casters()}, {"gnoStates", &inputs_.states()},      {"gnoSamples", &inputs_.samples()}, {"gnoForestGrid", &grid_},
-            {"gnoForestCells", &cells_},        {"gnoForestPairs", &pool_},            {"gnoForestHeader", &forestHeader_}, {"gnoList", &list_},
-            {"gnoGridLists", &lists_},          {"gnoGridItems", &itemPool_},          {"gnoGridDepths", &depths_},        {"gnoGridHeader", &header_},
+    return {{"gnoCasters", &inputs_.casters()}, {"gnoStates", &inputs_.states()}, {"gnoSamples", &inputs_.samples()},  {"gnoForestGrid", &grid_},
+            {"gnoForestCells", &cells_},        {"gnoForestPairs", &pool_},       {"gnoForestHeader", &forestHeader_}, {"gnoList", &list_},
+            {"gnoGridLists", &lists_},          {"gnoGridItems", &itemPool_},     {"gnoGridDepths", &depths_},         {"gnoGridHeader", &header_},
             {"gnoGridPlanes", &planes_},        {"gnoForestFew", &few_}};
 }
 
@@ -103,7 +106,8 @@ void LightGridLists::run(Recording& recording, const std::string& shader, uint32
     pass(shader, std::move(constants)).dispatch(recording, resources(), std::as_bytes(std::span(&push, 1)), groups);
 }
 
-void LightGridLists::runIndirect(Recording& recording, const std::string& shader, const Buffer& header, uint64_t offset, Specialization constants) const {
+void LightGridLists::runIndirect(Recording& recording, const std::string& shader, const Buffer& header, uint64_t offset,
+                                 Specialization constants) const {
     const ExamplePush push = inputs_.push();
     recording.barrier();
     pass(shader, std::move(constants)).dispatchIndirect(recording, resources(), std::as_bytes(std::span(&push, 1)), header, offset);
@@ -161,12 +165,9 @@ void LightGridLists::recordItems(Recording& recording) const {
 }
 
 NamedNumbers LightGridLists::bytes() const {
-    return {{"lists", lists_.bytes()},
-            {"items", itemPool_.bytes()},
-            {"planes", planes_.bytes()},
-            {"cells", cells_.bytes() + depths_.bytes() + grid_.bytes() + forestHeader_.bytes() + header_.bytes()},
-            {"pairs", pool_.bytes()},
-            {"casters", list_.bytes() + few_.bytes()}};
+    return {{"lists", lists_.bytes()},   {"items", itemPool_.bytes()},
+            {"planes", planes_.bytes()}, {"cells", cells_.bytes() + depths_.bytes() + grid_.bytes() + forestHeader_.bytes() + header_.bytes()},
+            {"pairs", pool_.bytes()},    {"casters", list_.bytes() + few_.bytes()}};
 }
 
 std::vector<DumpedBuffer> LightGridLists::dump() const {

@@ -14,8 +14,8 @@ struct LightGridOptions {
     uint32_t resolution = 64;  ///< cells along an edge of a face
     uint32_t nest = 8;         ///< a cell with more casters gets 8 x 8 sub cells; 0: none does
     bool viewCull = true, cover = true;
-    uint32_t pool = 0;         ///< pairs of cell and caster, and items of lists; 0: as many as the frame needs, which two read-backs tell
-    bool planes = true;        ///< a query asks the casters' planes first, 64 bytes each
+    uint32_t pool = 0;   ///< pairs of cell and caster, and items of lists; 0: as many as the frame needs, which two read-backs tell
+    bool planes = true;  ///< a query asks the casters' planes first, 64 bytes each
     uint32_t repeat = 1;
     bool warmUp = true;
 };

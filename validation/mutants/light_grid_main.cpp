@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// gnomon-light-grid-mutants [NAME...]: the light grid's text on the CPU. As it stands it has to give the definition's answer for every sample of every scene; every mutant
-// that this program is linked with (or those named) has to fail. Prints a table: mutant, killed by. Exit code 0: all as it should be; 1: not; then it says which.
+// gnomon-light-grid-mutants [NAME...]: the light grid's text on the CPU. As it stands it has to give the definition's answer for every sample of
+// every scene; every mutant that this program is linked with (or those named) has to fail. Prints a table: mutant, killed by. Exit code 0: all as it
+// should be; 1: not; then it says which.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,14 +28,16 @@ struct Scene {
 bool inShadow(const std::vector<GnoCaster>& casters, vec4 light, const GnoViewSample& s) {
     const exact::Vec p = exact::fixed(s.position);
     for (uint i = 0; i < casters.size(); ++i)
-        if (i != s.own && exact::inShadowOf(light, exact::fixed(casters[i].a), exact::fixed(casters[i].b), exact::fixed(casters[i].c), p)) return true;
+        if (i != s.own && exact::inShadowOf(light, exact::fixed(casters[i].a), exact::fixed(casters[i].b), exact::fixed(casters[i].c), p))
+            return true;
     return false;
 }
 
 /// A sample with an own caster lies strictly on the light's side of it: core/sample.glsl sees to that, and a covering caster relies on it.
 bool keepsTheContract(const std::vector<GnoCaster>& casters, vec4 light, const GnoViewSample& s) {
     if (s.own == GNO_NO_CASTER) return true;
-    const exact::Vec a = exact::fixed(casters[s.own].a), b = exact::fixed(casters[s.own].b), c = exact::fixed(casters[s.own].c), l = exact::fixed(vec3(light));
+    const exact::Vec a = exact::fixed(casters[s.own].a), b = exact::fixed(casters[s.own].b), c = exact::fixed(casters[s.own].c),
+                     l = exact::fixed(vec3(light));
     using exact::operator-;
     const int front = light.w != 0 ? exact::orient3d(a, b, c, l) : exact::sign(exact::det(b - a, c - a, l));
     return front != 0 && exact::orient3d(a, b, c, exact::fixed(s.position)) == front;
@@ -73,7 +76,8 @@ std::string failure(cpu::LightGrid& grid, const Scene& scene) {
         for (size_t i = 0; i < scene.samples.size(); ++i)
             for (const bool planes : {false, true})
                 if (grid.ask(scene.samples[i], planes) != (scene.want[i] != 0))
-                    return fmt::format("{}: sample {} is {}, {}", scene.name, i, scene.want[i] ? "lit" : "dark", planes ? "by planes" : "by vertices");
+                    return fmt::format("{}: sample {} is {}, {}", scene.name, i, scene.want[i] ? "lit" : "dark",
+                                       planes ? "by planes" : "by vertices");
     } catch (const std::exception& error) {
         return scene.name + ": " + error.what();
     }
@@ -103,7 +107,8 @@ int run(const std::vector<std::string>& wanted) {
         }
         if (!mutant) {
             broken += !killer.empty() || nests == 0;
-            fmt::print("{:60} as it stands, {} scenes, {} of {} samples dark, {} nested cells {}\n", variant.name, scenes.size(), dark, samples, nests, killer);
+            fmt::print("{:60} as it stands, {} scenes, {} of {} samples dark, {} nested cells {}\n", variant.name, scenes.size(), dark, samples,
+                       nests, killer);
         } else {
             ++mutants;
             survivors += killer.empty();

@@ -87,7 +87,8 @@ namespace computed {
 
 class Grid final : public cpu::LightGrid {
 public:
-    void build(std::span<const GnoCaster> casters, vec4 light, const GnoForestGrid& grid, std::span<const GnoViewSample> samples, uint nest) override {
+    void build(std::span<const GnoCaster> casters, vec4 light, const GnoForestGrid& grid, std::span<const GnoViewSample> samples,
+               uint nest) override {
         state.casters.assign(casters.begin(), casters.end());
         state.light = light;
         state.grid = grid;
@@ -110,8 +111,10 @@ public:
         each([&](uint caster, int) { sizes[caster] = gnoForestSort(caster, gnoCellSight(light, casters[caster])); });
         const auto assign = [&](const auto& few, const auto& more) {
             each([&](uint caster, int facing) {
-                if (sizes[caster] == GNO_FOREST_FEW_CELLS) few(caster);
-                else more(caster, gnoCellVolume(light, casters[caster], facing));
+                if (sizes[caster] == GNO_FOREST_FEW_CELLS)
+                    few(caster);
+                else
+                    more(caster, gnoCellVolume(light, casters[caster], facing));
             });
         };
         assign([](uint) {}, [](uint, const GnoCellVolume& v) { gnoForestCover(v, 0u, 1u); });
@@ -135,7 +138,9 @@ public:
         });
     }
 
-    [[nodiscard]] bool ask(const GnoViewSample& sample, bool planes) override { return planes ? gnoLightGridQuery(sample) : computed::gnoLightGridQuery(sample); }
+    [[nodiscard]] bool ask(const GnoViewSample& sample, bool planes) override {
+        return planes ? gnoLightGridQuery(sample) : computed::gnoLightGridQuery(sample);
+    }
     [[nodiscard]] const GnoLightGridHeader& header() const override { return state.header; }
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Technique light-grid: whatever the cells and the nesting, the masks are the oracle's; its lists are complete and in order; its pools are filled exactly.
+// Technique light-grid: whatever the cells and the nesting, the masks are the oracle's; its lists are complete and in order; its pools are filled
+// exactly.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,7 +55,8 @@ host::TechniqueResult run(const test::Scene& scene, const Strings& settings, Pre
     inputs.setLight(scene.light, scene.cull);
     host::StructureCache structures;
     host::Technique& technique = host::techniqueByName("light-grid");
-    auto result = technique.run(inputs, structures, host::Settings(technique.info().settings, settings), {.precision = precision, .counters = counters, .dump = true, .warmUp = false});
+    auto result = technique.run(inputs, structures, host::Settings(technique.info().settings, settings),
+                                {.precision = precision, .counters = counters, .dump = true, .warmUp = false});
     result.visibility.resize(scene.samples.size());  // the last row may be longer
     return result;
 }
@@ -73,8 +75,8 @@ void expectTheOracles(const test::Scene& scene, const std::vector<Strings>& all,
     for (const Strings& settings : all) {
         for (const Precision precision : rungs) {
             const test::Wrong wrong = test::compare(run(scene, settings, precision), want);
-            EXPECT_EQ(wrong.wrong, 0u) << name(precision) << " with " << testing::PrintToString(settings) << ", leaks " << wrong.leaks << ", first wrong: sample "
-                                       << wrong.first << " (seed " << kSeed << ")";
+            EXPECT_EQ(wrong.wrong, 0u) << name(precision) << " with " << testing::PrintToString(settings) << ", leaks " << wrong.leaks
+                                       << ", first wrong: sample " << wrong.first << " (seed " << kSeed << ")";
         }
     }
 }
@@ -120,7 +122,8 @@ size_t expectLists(const host::TechniqueResult& result) {
 TEST(LightGrid, OneMaskWhateverTheCells) {
     for (const bool directional : {false, true}) {
         const test::Scene scene = soup(directional, 400, 0.3, 3000);
-        expectTheOracles(scene, {{}, {"cells=1", "nest=0"}, {"cells=1", "nest=1"}, {"cells=4"}, {"cells=16", "nest=1", "planes=computed"}, {"cells=256"}},
+        expectTheOracles(scene,
+                         {{}, {"cells=1", "nest=0"}, {"cells=1", "nest=1"}, {"cells=4"}, {"cells=16", "nest=1", "planes=computed"}, {"cells=256"}},
                          {Precision::conservative, Precision::certified});
     }
 }
@@ -130,9 +133,11 @@ TEST(LightGrid, ListsThatOutliveTheView) {
 }
 
 TEST(LightGrid, BothStagesGiveOneMask) {
-    if (test::passes().device().facts().subgroupSize > 8) GTEST_SKIP() << "lavapipe 25.0 with LLVM 15 crashes when it compiles a graphics pipeline for width 16";
+    if (test::passes().device().facts().subgroupSize > 8)
+        GTEST_SKIP() << "lavapipe 25.0 with LLVM 15 crashes when it compiles a graphics pipeline for width 16";
     const test::Scene scene = soup(false, 400, 0.3, 3000);
-    for (const char* planes : {"planes=stored", "planes=computed"}) EXPECT_EQ(run(scene, {"stage=fragment", planes}).visibility, run(scene, {planes}).visibility);
+    for (const char* planes : {"planes=stored", "planes=computed"})
+        EXPECT_EQ(run(scene, {"stage=fragment", planes}).visibility, run(scene, {planes}).visibility);
 }
 
 /// A sample with an own caster lies strictly on the light's side of its plane (core/sample.glsl sees to it).
@@ -165,8 +170,9 @@ TEST(LightGrid, BordersOfSubCells) {
         test::Scene scene;
         scene.light = directional ? glm::vec4(0, 0, 1, 0) : glm::vec4(0, 0, 0.5f, 1);
         const auto border = [&] { return float(int(random.below(33)) - 16) / 16.0f; };  // of 32 sub cells along a face
-        scene.triangles = {{{-1, -1, 0}, {-0.9375f, -1, 0}, {-1, -0.9375f, 0}}, {{1, 1, 0}, {0.9375f, 1, 0}, {1, 0.9375f, 0}}};  // the grid spans [-1, 1]
-        const auto onBorder = [&](float x, float y, float z) {                            // x / |z - 0.5| is a border's for a point light
+        scene.triangles = {{{-1, -1, 0}, {-0.9375f, -1, 0}, {-1, -0.9375f, 0}},
+                           {{1, 1, 0}, {0.9375f, 1, 0}, {1, 0.9375f, 0}}};  // the grid spans [-1, 1]
+        const auto onBorder = [&](float x, float y, float z) {              // x / |z - 0.5| is a border's for a point light
             return directional ? glm::vec3(x, y, z) : glm::vec3(x * (0.5f - z), y * (0.5f - z), z);
         };
         for (int i = 0; i < 150; ++i) {
