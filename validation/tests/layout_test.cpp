@@ -8,6 +8,7 @@
 
 #include "glsl/clusters/cluster.h"
 #include "glsl/forest/cells.h"
+#include "glsl/rivals/light_grid.h"
 #include "glsl/shadow_map/view.h"
 #include "glsl/top/node.h"
 #include "host_min/frame/inputs.hpp"
@@ -256,6 +257,28 @@ TEST(Layout, PushBlockOfEveryShader) {
 }
 
 /// The comparison can fail: C++ structs that are wrong in one way each do not pass for the SPIR-V's.
+TEST(Layout, LightGrid) {
+    const std::vector<Member> list{MEMBER(GnoLightGridList, first), MEMBER(GnoLightGridList, end)};
+    const std::vector<Member> item{MEMBER(GnoLightGridItem, depth), MEMBER(GnoLightGridItem, caster)};
+    const std::vector<Member> header{MEMBER(GnoLightGridHeader, groupsOfPairs), MEMBER(GnoLightGridHeader, one0),  MEMBER(GnoLightGridHeader, one1),
+                                     MEMBER(GnoLightGridHeader, nests),         MEMBER(GnoLightGridHeader, groupsOfLists), MEMBER(GnoLightGridHeader, one2),
+                                     MEMBER(GnoLightGridHeader, one3),          MEMBER(GnoLightGridHeader, items)};
+    for (const std::string shader : {"rivals/examples/light_grid_pairs.comp", "rivals/examples/light_grid_sort.comp", "rivals/examples/light_grid_query_planes.frag"}) {
+        SCOPED_TRACE(shader);
+        const Reflection reflection(shader);
+        expectSame(reflection.layout(reflection.contents("gnoGridLists").self), list, sizeof(GnoLightGridList));
+        expectSame(reflection.layout(reflection.contents("gnoGridItems").self), item, sizeof(GnoLightGridItem));
+        EXPECT_EQ(reflection.stride("gnoGridLists"), 8u);
+        EXPECT_EQ(reflection.stride("gnoGridItems"), 8u);
+        EXPECT_EQ(reflection.stride("gnoGridPlanes"), 16u);
+    }
+    const Reflection open("rivals/examples/light_grid_open.comp");
+    expectSame(open.layout(open.contents("gnoGridHeader").self), header, sizeof(GnoLightGridHeader));
+    EXPECT_EQ(open.stride("gnoGridDepths"), 4u);
+    EXPECT_EQ(gnoLightGridLists(6 * 64 * 64, 3), 6u * 64 * 64 + 3 * 64);
+    EXPECT_EQ(gnoLightGridLists(1, 0), 64u) << "the cells' own lists are whole work groups";
+}
+
 TEST(Layout, ComparisonSeesWrongStructs) {
     struct Swapped {
         uint intersectionChild, positiveChild, aux, wedge;
