@@ -18,6 +18,8 @@
 // GNO_TOP_LOAD_NODE(index)     yes       -                        GnoTopNode at index; index < node count, never GNO_TOP_NONE; no side effect
 // GNO_TOP_LOAD_ANCESTOR(index) yes       -                        ancestor link of the volume that node index belongs to
 // GNO_TOP_LOAD_FLAGS(index)    yes       -                        aux of the third node of the volume that node index belongs to (node.h)
+// GNO_TOP_SLABS                no        -                        array of GnoTopSlab that the tree was built with: children that cannot matter are not loaded
+// GNO_TOP_SLAB                 no        1                        where GNO_TOP_SLABS is given: 0: do not look at it; may be a specialization constant
 // GNO_TOP_ROOT                 no        0u                       index of the root; GNO_TOP_NONE means an empty tree: everything is lit
 // GNO_TOP_FIND_ROOT(q)         no        GNO_TOP_ROOT             the root of the tree to ask for a point q = gnoFromLight(p), where there are several
 // GNO_TOP_CASTER_OF(block)     no        (block)                  the caster of nodes 4 * block and on
@@ -44,6 +46,9 @@
 #endif
 #ifndef GNO_TOP_FIND_ROOT
 #define GNO_TOP_FIND_ROOT(q_) GNO_TOP_ROOT
+#endif
+#if defined(GNO_TOP_SLABS) && !defined(GNO_TOP_SLAB)
+#define GNO_TOP_SLAB 1
 #endif
 #ifndef GNO_TOP_CASTER_OF
 #define GNO_TOP_CASTER_OF(block_) (block_)
@@ -76,12 +81,19 @@ GNO_INLINE GnoTopPoint_ gnoTopPoint_(GnoViewSample s_) {
 
 // The whole subtree lies farther from the light than the point. Only a volume's first node knows.
 GNO_INLINE bool gnoTopFarther_(GnoTopPoint_ point_, GnoTopNode node_, uint index_) {
+#ifdef GNO_TOP_SLABS
+    if (GNO_TOP_SLAB != 0) return false;  // the parent knew
+#endif
     return GNO_TOP_DEPTH_TEST != 0 && (index_ & 3u) == 0u && point_.depth < uintBitsToFloat(node_.aux);
 }
 
 GNO_INLINE bool gnoTopMeetsIntersection_(GnoTopPoint_ point_, GnoTopNode node_, uint index_, float side_) {
     if (node_.intersectionChild == GNO_TOP_NONE) return false;
-    return (index_ & 3u) == 3u || gnoTopInWedge(node_.wedge, side_, point_.scale, GNO_PRECISION);
+    bool meets_ = (index_ & 3u) == 3u || gnoTopInWedge(node_.wedge, side_, point_.scale, GNO_PRECISION);
+#ifdef GNO_TOP_SLABS
+    if (meets_ && GNO_TOP_SLAB != 0 && GNO_TOP_DEPTH_TEST != 0) meets_ = !(point_.depth < uintBitsToFloat(GNO_TOP_SLABS[index_].intersectionDepth));
+#endif
+    return meets_;
 }
 
 // The exact side of a point in the band: 1 positive, -1 negative, 0 on the plane.
@@ -98,8 +110,8 @@ GNO_INLINE int gnoTopExactSide_(GnoTopPoint_ point_, uint index_, uint flags_) {
 
 const uint GNO_TOP_SHADOW_ = 0xFFFFFFFEu;  // what gnoTopNext_ returns for "in the owner's volume"
 
-// The next node apart from the intersection child: GNO_TOP_NONE when there is none, GNO_TOP_SHADOW_ when the search is over.
-GNO_INLINE uint gnoTopNext_(GnoTopPoint_ point_, GnoTopNode node_, uint index_, float side_) {
+// The next node apart from the intersection child, as the plane says: GNO_TOP_NONE when there is none, GNO_TOP_SHADOW_ when the search is over.
+GNO_INLINE uint gnoTopRouted_(GnoTopPoint_ point_, GnoTopNode node_, uint index_, float side_) {
     bool cap_ = (index_ & 3u) == 3u;
     if (GNO_PRECISION == GNO_PRECISION_PUBLISHED) {
         if (side_ > 0.0f) return node_.positiveChild;
@@ -132,6 +144,22 @@ GNO_INLINE uint gnoTopNext_(GnoTopPoint_ point_, GnoTopNode node_, uint index_, 
     }
     if (side_ > 0.0f) return node_.positiveChild;
     return cap_ ? GNO_TOP_SHADOW_ : index_ + 1u;
+}
+
+// The same, less what the bounds exclude.
+GNO_INLINE uint gnoTopNext_(GnoTopPoint_ point_, GnoTopNode node_, uint index_, float side_) {
+    uint next_ = gnoTopRouted_(point_, node_, index_, side_);
+#ifdef GNO_TOP_SLABS
+    if (GNO_TOP_SLAB != 0 && next_ < GNO_TOP_SHADOW_) {
+        if (next_ == index_ + 1u) {
+            if (-side_ > uintBitsToFloat(GNO_TOP_SLABS[index_].negative) * point_.scale) return GNO_TOP_NONE;
+        } else {
+            if (GNO_TOP_DEPTH_TEST != 0 && point_.depth < uintBitsToFloat(GNO_TOP_SLABS[index_].positiveDepth)) return GNO_TOP_NONE;
+            if ((index_ & 3u) != 3u && !gnoTopInPositive(GNO_TOP_SLABS[index_].positive, side_, point_.scale)) return GNO_TOP_NONE;
+        }
+    }
+#endif
+    return next_;
 }
 
 GNO_NAMESPACE_END

@@ -15,6 +15,7 @@ struct ForestOptions {
     Precision precision = Precision::certified;
     uint32_t resolution = 64;  ///< cells along an edge of a face
     bool viewCull = true, cover = true;
+    bool slab = false;      ///< bounds of a node's children, kept in the node
     uint32_t pool = 0;  ///< pairs; 0: as many as the frame needs, which one read-back tells
     uint32_t seed = 1;  ///< of the insertion order
     uint32_t repeat = 1;
@@ -47,7 +48,7 @@ private:
     const FrameInputs& inputs_;
     ForestOptions options_;
     uint32_t cellCount_ = 0, pairs_ = 0, large_ = 0;
-    Buffer grid_, cells_, header_, largeList_, pool_, planes_, links_;
+    Buffer grid_, cells_, header_, largeList_, pool_, planes_, links_, slabs_;
     std::vector<RecordPass> passes_;
     TopBuildCounters counters_;
 };
