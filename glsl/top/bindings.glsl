@@ -3,7 +3,7 @@
 //
 //   GnoTopNode gnoTopLoadNode(uint index)     what GNO_TOP_LOAD_NODE(index) is then
 //
-// Defines    GNO_TOP_PLANES, GNO_TOP_LINKS, GNO_TOP_HEADER (for build.glsl), GNO_TOP_SLABS where GNO_TOP_SLAB is defined; GNO_TOP_ROOT, GNO_TOP_LOAD_NODE, GNO_TOP_LOAD_ANCESTOR,
+// Defines    GNO_TOP_PLANES, GNO_TOP_LINKS, GNO_TOP_HEADER (for build.glsl), GNO_TOP_SLABS and GNO_TOP_LOAD_SLAB where GNO_TOP_SLAB is defined; GNO_TOP_ROOT, GNO_TOP_LOAD_NODE, GNO_TOP_LOAD_ANCESTOR,
 //            GNO_TOP_LOAD_FLAGS (for the queries)
 // Space      planes in the coordinates of gnoFromLight (core/light.glsl)
 // Stages     any with storage buffers; a build needs them writable (fragment stage: fragmentStoresAndAtomics)
@@ -50,6 +50,7 @@ layout(set = GNO_TOP_SET, binding = GNO_TOP_BINDING_HEADER, std430) GNO_TOP_ACCE
 #ifdef GNO_TOP_SLAB
 layout(set = GNO_TOP_SET, binding = GNO_TOP_BINDING_SLABS, std430) GNO_TOP_ACCESS_ buffer GnoTopSlabBuffer { GnoTopSlab v[]; } gnoTopSlabs;
 #define GNO_TOP_SLABS gnoTopSlabs.v
+#define GNO_TOP_LOAD_SLAB(index_) gnoTopSlabs.v[index_]
 #endif
 
 #define GNO_TOP_PLANES gnoTopPlanes.v

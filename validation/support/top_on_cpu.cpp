@@ -81,6 +81,7 @@ GnoTopNode loadNode(uint index) {
 #define GNO_TOP_LINKS cpuLinks
 #if GNO_TOP_WITH_SLABS
 #define GNO_TOP_SLABS cpuSlabs
+#define GNO_TOP_LOAD_SLAB(index_) cpuSlabs[index_]
 #define GNO_TOP_SLAB (state.precision == GNO_PRECISION_PUBLISHED ? 0 : 1)
 #endif
 #define GNO_TOP_HEADER state.header
