@@ -59,7 +59,7 @@
 #define GNO_TOP_ROOT_OF(block_) GNO_TOP_HEADER.root
 #endif
 #if defined(GNO_TOP_SLAB) && !defined(GNO_TOP_SLABS)
-#error "top/build.glsl: GNO_TOP_SLAB is defined: define GNO_TOP_SLABS, too, or include top/bindings.glsl before this file"
+#error "top/build.glsl: define GNO_TOP_SLABS or include top/bindings.glsl before this file"
 #endif
 #ifndef GNO_TOP_CASTER_OF
 #define GNO_TOP_CASTER_OF(block_) (block_)

@@ -47,10 +47,10 @@
 #ifndef GNO_TOP_FIND_ROOT
 #define GNO_TOP_FIND_ROOT(q_) GNO_TOP_ROOT
 #endif
-#ifdef GNO_TOP_SLAB
-#ifndef GNO_TOP_LOAD_SLAB
-#error "top/visit.glsl: GNO_TOP_SLAB is defined: define GNO_TOP_LOAD_SLAB(index), too, or include top/bindings.glsl before this file"
+#if defined(GNO_TOP_SLAB) && !defined(GNO_TOP_LOAD_SLAB)
+#error "top/visit.glsl: define GNO_TOP_LOAD_SLAB(index) or include top/bindings.glsl before this file"
 #endif
+#ifdef GNO_TOP_SLAB
 #define GNO_TOP_SLAB_ GNO_TOP_SLAB
 #define GNO_TOP_LOAD_SLAB_(index_) GNO_TOP_LOAD_SLAB(index_)
 #else
@@ -159,7 +159,7 @@ GNO_INLINE uint gnoTopRouted_(GnoTopPoint_ point_, GnoTopNode node_, uint index_
 GNO_INLINE uint gnoTopNext_(GnoTopPoint_ point_, GnoTopNode node_, GnoTopSlab slab_, uint index_, float side_) {
     uint next_ = gnoTopRouted_(point_, node_, index_, side_);
     if (GNO_TOP_SLAB_ != 0 && next_ < GNO_TOP_SHADOW_) {
-        if (next_ == index_ + 1u) {
+        if (next_ == index_ + 1u && (index_ & 3u) != 3u) {  // a cap's positive child may well be the next block
             if (-side_ > uintBitsToFloat(slab_.negative) * point_.scale) return GNO_TOP_NONE;
         } else {
             if (GNO_TOP_DEPTH_TEST != 0 && point_.depth < uintBitsToFloat(slab_.positiveDepth)) return GNO_TOP_NONE;
