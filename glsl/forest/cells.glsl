@@ -4,6 +4,7 @@
 //   vec3  gnoCellPlace(vec4 light, GnoForestGrid grid, uint face, vec3 q)      on a face: x and y over z, z > 0 in front of it; directional: z = 1
 //   uint  gnoCellOf(vec4 light, GnoForestGrid grid, vec3 q)                    the cell of a point
 //   GnoCellVolume gnoCellVolume(vec4 light, GnoCaster t, int facing)           what the functions below want to know of a caster
+//   GnoCellVolume gnoCellSight(vec4 light, GnoCaster t)                        the same without planes, for gnoCellRectangle alone: cheaper
 //   uvec4 gnoCellRectangle(vec4 light, GnoForestGrid grid, uint face, GnoCellVolume v)           columns x .. z-1, rows y .. w-1: no other cell of the face can be met
 //   bool  gnoCellMissed(vec4 light, GnoForestGrid grid, uint face, uvec2 at, GnoCellVolume v)    true: the shadow volume certainly meets no point of the cell
 //   bool  gnoCellCovered(vec4 light, GnoForestGrid grid, uint face, uvec2 at, GnoCellVolume v)   true: see 5
@@ -23,10 +24,15 @@
 // 3. Rectangle. Where z > 0 at all three vertices (a difference of two numbers has the exact sign) the volume has exactly x/z between the vertices' least and greatest,
 //    whose computed values err by 5u of themselves. If the volume meets cell i, the least is below bound(i+1) + 2E, computed below bound(i+1) + 3E; it is looked up
 //    6E lower, which covers the 9u of the look-up. Directional: x errs by 4uS, and a point of the volume is v - mu D', mu <= 2S, D' the light's direction, at a right angle to
-//    the axis but for 2u: 8uS, with 1. and the look-up 33uS, and 6ES are taken. Where z <= 0 at one or two vertices all cells are taken; z < 0 at all three: none, the volume lies behind the face.
-// 4. Missed. A lateral plane is held against the corners as it is against a caster in a tree (top/plane.glsl, 3 and 5): all four on the positive side by
-//    gnoTopMargin, so is every point of the pyramid (prism), and the caster's volume is on the other side. This holds for a substitute plane as well.
-// 5. Covered. All four corners on the negative side of all three lateral planes by gnoTopMargin, none of them a substitute (it does not bound the caster): each direction of
+//    the axis but for 2u: 8uS, with 1. and the look-up 33uS, and 6ES are taken.
+//    Where z <= 0 at all three vertices the volume has no point with z > 0, and no cell. Where z <= 0 at one or two, let m be the least x/z of the others. If x - m z > 0 at the
+//    vertices with z <= 0, too, then x - m z >= 0 in the whole volume (a sum of the vertices with weights >= 0), so m bounds x/z wherever z > 0; the greatest likewise. The
+//    computed x - m z errs by 2u|x| + 8u|m z|, m's own 5u included, so it has to be above 2E(|x| + |m z|). Otherwise the axis is not bounded on that side.
+// 4. Missed. A lateral plane is held against the corners as it is against a caster in a tree (top/plane.glsl, 3 and 5): all four on the positive side by the margin
+//    there, so is every point of the pyramid (prism), and the caster's volume is on the other side. This holds for a substitute plane as well. One corner has the least
+//    side, by the signs of the normal's components; the others' exact sides are not less. Point: corners are at z = 1, shorter than 1.8, so 3E|v| < 6E. Directional: the
+//    normal in the grid's axes errs by 4u each, times at most 2S, so 16uS more than 6ES, and as much when a sign near zero is wrong: 10ES.
+// 5. Covered. All four corners on the negative side of all three lateral planes by that margin, none of them a substitute (it does not bound the caster): each direction of
 //    the cell passes through the open caster. A view sample of the cell is then behind the caster, in its shadow; or it is in front of it or on it, and no farther
 //    from the light than `most`. A caster that starts beyond `most` decides neither, as long as the covering one stays in the cell. (A sample that lies on the covering
 //    caster is on the light's side of it: gnoMakeViewSample.)
@@ -73,16 +79,47 @@ struct GnoCellVolume {
     float least;  // lower bound of gnoLightDepth over the caster
     float most;   // upper bound of it
     bool bounded; // none of the planes is a substitute
+    uint face;    // the volume meets cells of no other faces than face .. faceEnd - 1
+    uint faceEnd;
 };
 
-GNO_INLINE GnoCellVolume gnoCellVolume(vec4 light_, GnoCaster t_, int facing_) {
+// 6. One face. Where the same coordinate is the largest of all three vertices by more than 16E of itself, so it is of each point of the volume by more than 15E, whose computed
+//    coordinates err by u: its cell is on that face.
+GNO_INLINE bool gnoCellAllUnder_(vec3 far_, vec3 other_, vec3 another_) {
+    vec3 most_ = far_ * (1.0f - 16.0f * GNO_BAND);
+    return abs(other_.x) < most_.x && abs(another_.x) < most_.x && abs(other_.y) < most_.y && abs(another_.y) < most_.y && abs(other_.z) < most_.z && abs(another_.z) < most_.z;
+}
+
+GNO_INLINE GnoCellVolume gnoCellSight(vec4 light_, GnoCaster t_) {
     GnoCellVolume v_;
     v_.q0 = gnoFromLight(light_, t_.a);
     v_.q1 = gnoFromLight(light_, t_.b);
     v_.q2 = gnoFromLight(light_, t_.c);
+    v_.ab = vec4(0.0f);
+    v_.bc = vec4(0.0f);
+    v_.ca = vec4(0.0f);
+    v_.bounded = false;
     v_.least = gnoTopLeastDepth(light_, t_);
     float most_ = max(gnoLightDepth(light_, v_.q0), max(gnoLightDepth(light_, v_.q1), gnoLightDepth(light_, v_.q2)));
     v_.most = light_.w == 0.0f ? most_ + 5.0f * GNO_BAND : most_ * (1.0f + 2.0f * GNO_BAND);  // a point's own depth errs by 4u, directional by 16u
+    vec3 x_ = vec3(v_.q0.x, v_.q1.x, v_.q2.x);
+    vec3 y_ = vec3(v_.q0.y, v_.q1.y, v_.q2.y);
+    vec3 z_ = vec3(v_.q0.z, v_.q1.z, v_.q2.z);
+    uint face_ = 6u;
+    if (gnoCellAllUnder_(x_, y_, z_)) face_ = 0u;
+    if (gnoCellAllUnder_(-x_, y_, z_)) face_ = 1u;
+    if (gnoCellAllUnder_(y_, x_, z_)) face_ = 2u;
+    if (gnoCellAllUnder_(-y_, x_, z_)) face_ = 3u;
+    if (gnoCellAllUnder_(z_, x_, y_)) face_ = 4u;
+    if (gnoCellAllUnder_(-z_, x_, y_)) face_ = 5u;
+    bool one_ = light_.w == 0.0f || face_ < 6u;
+    v_.face = light_.w == 0.0f || face_ == 6u ? 0u : face_;
+    v_.faceEnd = one_ ? v_.face + 1u : 6u;
+    return v_;
+}
+
+GNO_INLINE GnoCellVolume gnoCellVolume(vec4 light_, GnoCaster t_, int facing_) {
+    GnoCellVolume v_ = gnoCellSight(light_, t_);
     bool substituted_ = false;
     if (gnoTopSubstitute(light_, t_, 0u, v_.ab)) substituted_ = true;
     else v_.ab = gnoTopLateralPlane(light_, t_.a, t_.b, facing_, GNO_PRECISION_CERTIFIED);
@@ -104,16 +141,28 @@ GNO_INLINE uvec2 gnoCellRange_(vec4 light_, float least_, float greatest_, float
     return uvec2(uint(min(max(from_, 0.0f), last_)), uint(min(max(to_, 0.0f), last_)) + 1u);
 }
 
+// The greatest x/z of a volume with these vertices, where z > 0 (one of them has z > 0).
+GNO_INLINE float gnoCellGreatest_(vec3 x_, vec3 z_) {
+    float a_ = z_.x > 0.0f ? x_.x / z_.x : -GNO_TOP_NO_BOUND;
+    float b_ = z_.y > 0.0f ? x_.y / z_.y : -GNO_TOP_NO_BOUND;
+    float c_ = z_.z > 0.0f ? x_.z / z_.z : -GNO_TOP_NO_BOUND;
+    float most_ = max(a_, max(b_, c_));
+    bool bounded_ = (z_.x > 0.0f || most_ * z_.x - x_.x > 2.0f * GNO_BAND * (abs(x_.x) + abs(most_ * z_.x))) &&
+                    (z_.y > 0.0f || most_ * z_.y - x_.y > 2.0f * GNO_BAND * (abs(x_.y) + abs(most_ * z_.y))) &&
+                    (z_.z > 0.0f || most_ * z_.z - x_.z > 2.0f * GNO_BAND * (abs(x_.z) + abs(most_ * z_.z)));
+    return bounded_ ? most_ : GNO_TOP_NO_BOUND;
+}
+
 GNO_INLINE uvec4 gnoCellRectangle(vec4 light_, GnoForestGrid grid_, uint face_, GnoCellVolume v_) {
     vec3 a_ = gnoCellPlace(light_, grid_, face_, v_.q0);
     vec3 b_ = gnoCellPlace(light_, grid_, face_, v_.q1);
     vec3 c_ = gnoCellPlace(light_, grid_, face_, v_.q2);
-    if (a_.z < 0.0f && b_.z < 0.0f && c_.z < 0.0f) return uvec4(0u, 0u, 0u, 0u);
-    if (!(a_.z > 0.0f && b_.z > 0.0f && c_.z > 0.0f)) return uvec4(0u, 0u, grid_.resolution, grid_.resolution);
-    vec3 x_ = vec3(a_.x / a_.z, b_.x / b_.z, c_.x / c_.z);
-    vec3 y_ = vec3(a_.y / a_.z, b_.y / b_.z, c_.y / c_.z);
-    uvec2 columns_ = gnoCellRange_(light_, min(x_.x, min(x_.y, x_.z)), gnoTopMax_(x_), grid_.across.w, grid_.stepAcross, grid_.resolution);
-    uvec2 rows_ = gnoCellRange_(light_, min(y_.x, min(y_.y, y_.z)), gnoTopMax_(y_), grid_.along.w, grid_.stepAlong, grid_.resolution);
+    vec3 depth_ = vec3(a_.z, b_.z, c_.z);
+    if (!(gnoTopMax_(depth_) > 0.0f)) return uvec4(0u, 0u, 0u, 0u);
+    vec3 x_ = vec3(a_.x, b_.x, c_.x);
+    vec3 y_ = vec3(a_.y, b_.y, c_.y);
+    uvec2 columns_ = gnoCellRange_(light_, -gnoCellGreatest_(-x_, depth_), gnoCellGreatest_(x_, depth_), grid_.across.w, grid_.stepAcross, grid_.resolution);
+    uvec2 rows_ = gnoCellRange_(light_, -gnoCellGreatest_(-y_, depth_), gnoCellGreatest_(y_, depth_), grid_.along.w, grid_.stepAlong, grid_.resolution);
     if (columns_.x >= columns_.y || rows_.x >= rows_.y) return uvec4(0u, 0u, 0u, 0u);
     return uvec4(columns_.x, rows_.x, columns_.y, rows_.y);
 }
@@ -126,41 +175,30 @@ GNO_INLINE float gnoCellBound_(vec4 light_, float axisLeast_, float step_, uint 
     return axisLeast_ + float(upper_ ? at_ + 1u : at_) * step_ + (upper_ ? slack_ : -slack_);
 }
 
-// Corner 0..3 of a cell's pyramid (prism): a direction in light coordinates, of length below 1.8 (directional: the point of the grid's face).
-GNO_INLINE vec3 gnoCellCorner_(vec4 light_, GnoForestGrid grid_, uint face_, uvec2 at_, uint corner_) {
-    float x_ = gnoCellBound_(light_, grid_.across.w, grid_.stepAcross, grid_.resolution, at_.x, (corner_ & 1u) != 0u);
-    float y_ = gnoCellBound_(light_, grid_.along.w, grid_.stepAlong, grid_.resolution, at_.y, (corner_ & 2u) != 0u);
-    if (light_.w == 0.0f) return vec3(grid_.across) * x_ + vec3(grid_.along) * y_;
-    float z_ = (face_ & 1u) == 0u ? 1.0f : -1.0f;
-    return face_ < 2u ? vec3(z_, x_, y_) : face_ < 4u ? vec3(y_, z_, x_) : vec3(x_, y_, z_);
+// The least of sign * side over a cell's pyramid at z = 1 (prism), from the corner where it is.
+GNO_INLINE float gnoCellLeastSide_(vec4 light_, GnoForestGrid grid_, uint face_, uvec2 at_, vec4 plane_, float sign_) {
+    vec3 n_ = vec3(plane_.x, plane_.y, plane_.z) * sign_;
+    vec3 m_ = gnoCellPlace(light_, grid_, face_, n_);
+    float offset_ = light_.w == 0.0f ? plane_.w * sign_ : m_.z;
+    float x_ = gnoCellBound_(light_, grid_.across.w, grid_.stepAcross, grid_.resolution, at_.x, m_.x < 0.0f);
+    float y_ = gnoCellBound_(light_, grid_.along.w, grid_.stepAlong, grid_.resolution, at_.y, m_.y < 0.0f);
+    precise float side_ = m_.x * x_ + m_.y * y_ + offset_;
+    return side_;
 }
 
-GNO_INLINE bool gnoCellBeyond_(vec4 light_, vec4 plane_, vec3 corner_, float sign_) {
-    return sign_ * gnoTopSide(plane_, corner_) > gnoTopMargin(light_, false, gnoLightScale(light_, corner_), 0.0f);
-}
-
-GNO_INLINE bool gnoCellAllBeyond_(vec4 light_, vec4 plane_, vec3 c0_, vec3 c1_, vec3 c2_, vec3 c3_, float sign_) {
-    return gnoCellBeyond_(light_, plane_, c0_, sign_) && gnoCellBeyond_(light_, plane_, c1_, sign_) && gnoCellBeyond_(light_, plane_, c2_, sign_) &&
-           gnoCellBeyond_(light_, plane_, c3_, sign_);
-}
+GNO_INLINE float gnoCellMargin_(vec4 light_) { return light_.w == 0.0f ? 10.0f * GNO_BAND * GNO_SCENE_RADIUS : 6.0f * GNO_BAND; }
 
 GNO_INLINE bool gnoCellMissed(vec4 light_, GnoForestGrid grid_, uint face_, uvec2 at_, GnoCellVolume v_) {
-    vec3 c0_ = gnoCellCorner_(light_, grid_, face_, at_, 0u);
-    vec3 c1_ = gnoCellCorner_(light_, grid_, face_, at_, 1u);
-    vec3 c2_ = gnoCellCorner_(light_, grid_, face_, at_, 2u);
-    vec3 c3_ = gnoCellCorner_(light_, grid_, face_, at_, 3u);
-    return gnoCellAllBeyond_(light_, v_.ab, c0_, c1_, c2_, c3_, 1.0f) || gnoCellAllBeyond_(light_, v_.bc, c0_, c1_, c2_, c3_, 1.0f) ||
-           gnoCellAllBeyond_(light_, v_.ca, c0_, c1_, c2_, c3_, 1.0f);
+    float margin_ = gnoCellMargin_(light_);
+    return gnoCellLeastSide_(light_, grid_, face_, at_, v_.ab, 1.0f) > margin_ || gnoCellLeastSide_(light_, grid_, face_, at_, v_.bc, 1.0f) > margin_ ||
+           gnoCellLeastSide_(light_, grid_, face_, at_, v_.ca, 1.0f) > margin_;
 }
 
 GNO_INLINE bool gnoCellCovered(vec4 light_, GnoForestGrid grid_, uint face_, uvec2 at_, GnoCellVolume v_) {
     if (!v_.bounded) return false;
-    vec3 c0_ = gnoCellCorner_(light_, grid_, face_, at_, 0u);
-    vec3 c1_ = gnoCellCorner_(light_, grid_, face_, at_, 1u);
-    vec3 c2_ = gnoCellCorner_(light_, grid_, face_, at_, 2u);
-    vec3 c3_ = gnoCellCorner_(light_, grid_, face_, at_, 3u);
-    return gnoCellAllBeyond_(light_, v_.ab, c0_, c1_, c2_, c3_, -1.0f) && gnoCellAllBeyond_(light_, v_.bc, c0_, c1_, c2_, c3_, -1.0f) &&
-           gnoCellAllBeyond_(light_, v_.ca, c0_, c1_, c2_, c3_, -1.0f);
+    float margin_ = gnoCellMargin_(light_);
+    return gnoCellLeastSide_(light_, grid_, face_, at_, v_.ab, -1.0f) > margin_ && gnoCellLeastSide_(light_, grid_, face_, at_, v_.bc, -1.0f) > margin_ &&
+           gnoCellLeastSide_(light_, grid_, face_, at_, v_.ca, -1.0f) > margin_;
 }
 
 GNO_NAMESPACE_END

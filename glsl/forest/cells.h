@@ -6,7 +6,10 @@
 //   array     bytes                      written by                              read by
 //   grid      48                         the host, when light or scene changes   all
 //   cells     16 * gnoCellCount          reset, depth, cover, count, allocate    insertion and queries (root)
-//   header    32                         reset, allocate                         emission, insertion
+//   few       8 * casters                sort                                    count, emission
+//   header    52                         reset, sort, allocate                   count, emission, insertion
+//
+//   uint gnoCellCount(uint resolution, uint faces)      cells of a grid
 //
 // Space      light coordinates, q = gnoFromLight(p) (core/light.glsl)
 // Stages     any
@@ -18,6 +21,12 @@ GNO_NAMESPACE_BEGIN
 
 GNO_CONST uint GNO_FOREST_NONE = 0xFFFFFFFFu;  // no root
 GNO_CONST uint GNO_FOREST_GROUP = 64u;         // invocations per work group of the passes over casters and pairs
+
+// What gnoForestSort says of a caster (assign.glsl).
+GNO_CONST uint GNO_FOREST_FEW_CELLS = 0u;      // it is in the array `few`
+GNO_CONST uint GNO_FOREST_SOME_CELLS = 1u;     // at most GNO_FOREST_MOST
+GNO_CONST uint GNO_FOREST_MANY_CELLS = 2u;
+GNO_CONST uint GNO_FOREST_MOST = 64u;          // cells that one invocation looks at alone
 
 struct GnoForestGrid {   // std140 and std430, 48 bytes
     vec4 across;         //  0  directional: xyz unit axis, w where the grid begins; point: w = -1, the rest unused
@@ -39,18 +48,29 @@ struct GnoForestCell {   // std430, 16 bytes
 GNO_STRUCT_SIZE(GnoForestCell, 16)
 GNO_STRUCT_OFFSET(GnoForestCell, root, 12)
 
-struct GnoForestHeader { // std430, 32 bytes
+struct GnoForestFew {    // std430, 8 bytes: where a caster with at most 2 x 2 cells stands
+    uint cells;          //  0  bits 0..27: its first cell; bits 28..31: in that one, the one right of it, above it, above and right of it
+    uint least;          //  4  float bits of its least depth
+};
+GNO_STRUCT_SIZE(GnoForestFew, 8)
+
+struct GnoForestHeader { // std430, 52 bytes
     uint groupsOfPairs;  //  0  indirect dispatch over the pairs: (groups, 1, 1)
     uint one0;
     uint one1;
     uint pairs;          // 12  pairs of cell and caster; more than the pool holds: the forest is not complete, grow the pool and build again
-    uint groupsOfLarge;  // 16  indirect dispatch over the large casters
+    uint groupsOfSome;   // 16  indirect dispatch over the casters with some cells, an invocation each
     uint one2;
     uint one3;
-    uint large;          // 28  casters that touch many cells, listed
+    uint some;           // 28  how many are listed
+    uint groupsOfMany;   // 32  indirect dispatch over the casters with many cells, a work group each
+    uint one4;
+    uint one5;
+    uint many;           // 44  how many are listed
+    uint used;           // 48  cells that keep casters
 };
-GNO_STRUCT_SIZE(GnoForestHeader, 32)
-GNO_STRUCT_OFFSET(GnoForestHeader, large, 28)
+GNO_STRUCT_SIZE(GnoForestHeader, 52)
+GNO_STRUCT_OFFSET(GnoForestHeader, many, 44)
 
 struct GnoForestPair {   // std430, 8 bytes: block b of the pool (nodes 4b .. 4b+3) stands for this caster in this cell
     uint caster;

@@ -17,7 +17,7 @@ public:
         info_.precisions = {Precision::conservative, Precision::certified};
         info_.effects = {"point_light", "directional_light", "spot_light", "open_casters"};
         info_.settings = {
-            {"cells", "along an edge of a face of the light's grid", 0, 0, {"1", "4", "8", "16", "32", "64", "128", "256"}, "64"},
+            {"cells", "along an edge of a face of the light's grid; auto: by what counting at several finds", 0, 0, {"auto", "1", "4", "8", "16", "32", "64", "128", "256"}, "auto"},
             {"view_cull", "leave out casters beyond a cell's view samples; off: the trees outlive a camera's moves", 0, 0, {"on", "off"}, "on"},
             {"cover", "leave out casters beyond one that hides the whole cell", 0, 0, {"on", "off"}, "on"},
             {"query", "which query of the TOP tree", 0, 0, {"stack", "stackless", "hybrid"}, "hybrid"},
@@ -32,7 +32,7 @@ public:
 
     TechniqueResult run(const FrameInputs& inputs, StructureCache& structures, const Settings& settings, const RunOptions& options) override {
         const ForestOptions forestOptions{options.precision,
-                                          uint32_t(std::stoul(settings.word("cells"))),
+                                          settings.word("cells") == "auto" ? 0 : uint32_t(std::stoul(settings.word("cells"))),
                                           settings.word("view_cull") == "on",
                                           settings.word("cover") == "on",
                                           settings.word("slab") == "on",
@@ -56,8 +56,11 @@ public:
              settings.word("stage") == "fragment"},
             options, result);
         result.counters.dropped = trees.counters().dropped;
-        result.counters.more = {{"pairs", trees.pairs()},
-                                {"large_casters", trees.large()},
+        result.counters.more = {{"cells", trees.resolution()},
+                                {"pairs", trees.found().pairs},
+                                {"used_cells", trees.found().used},
+                                {"some_cells", trees.found().some},
+                                {"many_cells", trees.found().many},
                                 {"inserted", trees.counters().inserted},
                                 {"build_steps", trees.counters().steps},
                                 {"intersection_steps", trees.counters().intersections}};

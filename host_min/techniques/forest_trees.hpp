@@ -13,9 +13,9 @@ namespace gno::host {
 
 struct ForestOptions {
     Precision precision = Precision::certified;
-    uint32_t resolution = 64;  ///< cells along an edge of a face
+    uint32_t resolution = 0;  ///< cells along an edge of a face; 0: chosen by counting pairs at several
     bool viewCull = true, cover = true;
-    bool slab = false;      ///< bounds of a node's children, kept in the node
+    bool slab = false;  ///< bounds of a node's children, kept in the node
     uint32_t pool = 0;  ///< pairs; 0: as many as the frame needs, which one read-back tells
     uint32_t seed = 1;  ///< of the insertion order
     uint32_t repeat = 1;
@@ -34,12 +34,14 @@ public:
     [[nodiscard]] std::vector<Binding> resources() const;  ///< what a query binds, its own images left out
     [[nodiscard]] const std::vector<RecordPass>& passes() const { return passes_; }
     [[nodiscard]] const TopBuildCounters& counters() const { return counters_; }
-    [[nodiscard]] uint32_t pairs() const { return pairs_; }
-    [[nodiscard]] uint32_t large() const { return large_; }
+    [[nodiscard]] uint32_t resolution() const { return resolution_; }
+    [[nodiscard]] const GnoForestHeader& found() const { return found_; }  ///< pairs, used cells, casters with some and with many cells
     [[nodiscard]] NamedNumbers bytes() const;
     [[nodiscard]] std::vector<DumpedBuffer> dump() const;
 
 private:
+    void count(uint32_t resolution);
+    void chooseResolution();
     void recordAssignment(Recording& recording) const;
     void recordTrees(Recording& recording, const Buffer* totals) const;
     void step(Recording& recording, uint32_t which) const;
@@ -47,8 +49,9 @@ private:
 
     const FrameInputs& inputs_;
     ForestOptions options_;
-    uint32_t cellCount_ = 0, pairs_ = 0, large_ = 0;
-    Buffer grid_, cells_, header_, largeList_, pool_, planes_, links_, slabs_;
+    uint32_t resolution_ = 0, cellCount_ = 0;
+    GnoForestHeader found_{};  ///< what the assignment counted
+    Buffer grid_, cells_, header_, list_, few_, pool_, planes_, links_, slabs_;
     std::vector<RecordPass> passes_;
     TopBuildCounters counters_;
 };

@@ -14,12 +14,18 @@ void main() {
     uint at = gl_GlobalInvocationID.x;
     vec4 result;
     GnoCellVolume volume = gnoCellVolume(GNO_LIGHT, GNO_LOAD_CASTER(at), 1);
-    gnoForestSeeSample(push.position.xyz);
+    GnoForestSeen seen = gnoForestSeen();
+    gnoForestSeeSample(seen, push.position.xyz);
+    gnoForestTell(seen);
+    gnoForestNone(at);
+    uint size = gnoForestSort(at, gnoCellSight(GNO_LIGHT, GNO_LOAD_CASTER(at)));
     gnoForestCover(volume, 0u, 1u);
+    gnoForestCountFew(at);
     gnoForestCount(volume, 0u, 1u);
     gnoForestAllocate(at);
+    gnoForestEmitFew(at);
     gnoForestEmit(at, volume, 0u, 1u);
     gnoForestSizes();
-    result = vec4(gnoForestSpan(volume));
+    result = vec4(size);
     results.v[at] = result;
 }

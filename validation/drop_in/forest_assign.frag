@@ -12,11 +12,17 @@ layout(location = 0) out vec4 result;
 void main() {
     uint at = uint(gl_FragCoord.x);
     GnoCellVolume volume = gnoCellVolume(GNO_LIGHT, GNO_LOAD_CASTER(at), 1);
-    gnoForestSeeSample(push.position.xyz);
+    GnoForestSeen seen = gnoForestSeen();
+    gnoForestSeeSample(seen, push.position.xyz);
+    gnoForestTell(seen);
+    gnoForestNone(at);
+    uint size = gnoForestSort(at, gnoCellSight(GNO_LIGHT, GNO_LOAD_CASTER(at)));
     gnoForestCover(volume, 0u, 1u);
+    gnoForestCountFew(at);
     gnoForestCount(volume, 0u, 1u);
     gnoForestAllocate(at);
+    gnoForestEmitFew(at);
     gnoForestEmit(at, volume, 0u, 1u);
     gnoForestSizes();
-    result = vec4(gnoForestSpan(volume));
+    result = vec4(size);
 }

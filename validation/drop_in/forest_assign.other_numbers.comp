@@ -8,6 +8,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_FOREST_BINDING_CELLS 21
 #define GNO_FOREST_BINDING_PAIRS 22
 #define GNO_FOREST_BINDING_HEADER 23
+#define GNO_FOREST_BINDING_FEW 24
 #define GNO_LIGHT push.light
 #include "gnomon/core/bindings.glsl"
 #include "gnomon/forest/bindings.glsl"
@@ -19,12 +20,18 @@ void main() {
     uint at = gl_GlobalInvocationID.x;
     vec4 result;
     GnoCellVolume volume = gnoCellVolume(GNO_LIGHT, GNO_LOAD_CASTER(at), 1);
-    gnoForestSeeSample(push.position.xyz);
+    GnoForestSeen seen = gnoForestSeen();
+    gnoForestSeeSample(seen, push.position.xyz);
+    gnoForestTell(seen);
+    gnoForestNone(at);
+    uint size = gnoForestSort(at, gnoCellSight(GNO_LIGHT, GNO_LOAD_CASTER(at)));
     gnoForestCover(volume, 0u, 1u);
+    gnoForestCountFew(at);
     gnoForestCount(volume, 0u, 1u);
     gnoForestAllocate(at);
+    gnoForestEmitFew(at);
     gnoForestEmit(at, volume, 0u, 1u);
     gnoForestSizes();
-    result = vec4(gnoForestSpan(volume));
+    result = vec4(size);
     results.v[at] = result;
 }

@@ -23,6 +23,7 @@ struct HardCase {
     bool expectsPublishedErrors = false;  ///< `published` must be seen to fail: this is what shows that the suite can catch errors
     double conservativeLimit = 0;         ///< largest share of samples that `conservative` may get wrong (ties: the sign itself is fp32 noise)
     std::vector<std::string> settings{};  ///< KEY=VALUE, for the techniques that have them
+    std::vector<std::string> choices{};   ///< the same, one after the other, at the first insertion seed of a scene; later seeds take turns
 };
 
 /// All families, in the order of the table in validation/README.md.
@@ -38,5 +39,6 @@ std::vector<HardCase> bigAndSmall();
 std::vector<HardCase> scale();
 std::vector<HardCase> emptiness();
 std::vector<HardCase> clusters();
+std::vector<HardCase> cells();
 
 }  // namespace gno::hard

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "host_min/error.hpp"
 
 namespace gno::hard {
@@ -11,14 +13,27 @@ namespace {
 constexpr const char* kBegin = "<!-- hard cases: begin -->\n";
 constexpr const char* kEnd = "<!-- hard cases: end -->";
 
-/// One row: the first cells, then one cell per technique with a value per rung, such as "18 / 0 / 0".
+/// The rungs that a cell holds a value for: those of the first technique.
+std::vector<host::Precision> rungsOf(const CaseResult& result) {
+    std::vector<host::Precision> rungs;
+    for (const Tally& tally : result.tallies)
+        if (tally.technique == result.tallies.front().technique) rungs.push_back(tally.precision);
+    return rungs;
+}
+
+/// One row: the first cells, then one cell per technique with a value per rung, such as "18 / 0 / 0"; "-" for one that it lacks, or a run that was refused.
 template <class Value>
 std::string cells(const CaseResult& result, const Value& value) {
-    std::string row, technique;
-    for (const Tally& tally : result.tallies) {
-        row += tally.technique == technique ? " / " : " | ";
-        technique = tally.technique;
-        row += tally.refused.empty() ? value(tally) : "-";
+    std::string row;
+    for (auto first = result.tallies.begin(); first != result.tallies.end();) {
+        const auto last = std::find_if(first, result.tallies.end(), [&](const Tally& tally) { return tally.technique != first->technique; });
+        const char* before = " | ";
+        for (const host::Precision rung : rungsOf(result)) {
+            const auto tally = std::find_if(first, last, [&](const Tally& t) { return t.precision == rung; });
+            row += before + (tally == last || !tally->refused.empty() ? "-" : value(*tally));
+            before = " / ";
+        }
+        first = last;
     }
     return row + " |\n";
 }
@@ -37,10 +52,7 @@ std::string header(const CaseResult& result, const char* first) {
 
 std::string rungs(const CaseResult& result) {
     std::string text;
-    for (const Tally& tally : result.tallies) {
-        if (tally.technique != result.tallies.front().technique) break;
-        text += (text.empty() ? "" : " / ") + std::string(host::name(tally.precision));
-    }
+    for (const host::Precision rung : rungsOf(result)) text += (text.empty() ? "" : " / ") + std::string(host::name(rung));
     return text;
 }
 

@@ -2,6 +2,7 @@
 #include "validation/hard_cases/runner.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -55,8 +56,17 @@ std::vector<uint32_t> insertionSeeds(const HardCase& hardCase, const test::Scene
     return seeds;
 }
 
-bool hasSeed(const host::TechniqueInfo& info) {
-    return std::any_of(info.settings.begin(), info.settings.end(), [](const host::SettingInfo& setting) { return setting.key == "seed"; });
+bool has(const host::TechniqueInfo& info, const std::string& key) {
+    return std::any_of(info.settings.begin(), info.settings.end(), [&](const host::SettingInfo& setting) { return setting.key == key; });
+}
+
+/// Settings of the runs at insertion seed number `at`: all choices at the first, one of them at each later one.
+std::vector<std::vector<std::string>> settingsAt(const HardCase& hardCase, size_t at, uint32_t seed) {
+    std::vector<std::string> settings(hardCase.settings);
+    settings.push_back(fmt::format("seed={}", seed));
+    std::vector<std::vector<std::string>> all(hardCase.choices.empty() || at > 0 ? 1 : hardCase.choices.size(), settings);
+    for (size_t i = 0; i < all.size() && !hardCase.choices.empty(); ++i) all[i].push_back(hardCase.choices[(at + i) % hardCase.choices.size()]);
+    return all;
 }
 
 void add(Tally& tally, const test::Scene& scene, const host::TechniqueResult& result, const host::OracleAnswer& answer, const std::string& how) {
@@ -102,23 +112,25 @@ CaseResult runCase(const HardCase& hardCase, const RunnerOptions& options, const
         }
 
         const std::vector<uint32_t> seeds = insertionSeeds(hardCase, scene, std::max(1u, options.insertionSeeds / hardCase.scenes));
-        for (const uint32_t seed : seeds) {
+        for (size_t at = 0; at < seeds.size(); ++at) {
             host::StructureCache structures;
-            std::vector<std::string> settings(hardCase.settings);
-            settings.push_back(fmt::format("seed={}", seed));
+            const auto settings = settingsAt(hardCase, at, seeds[at]);
             for (Tally& tally : result.tallies) {
                 host::Technique& technique = host::techniqueByName(tally.technique);
-                if (seed != seeds.front() && !hasSeed(technique.info())) continue;
-                if (step) step();
-                const std::string how = fmt::format("{}, {}, scene seed {}, insertion seed {}, {} triangles", tally.technique,
-                                                    host::name(tally.precision), sceneSeed, seed, scene.triangles.size());
-                try {
-                    host::TechniqueResult run = technique.run(inputs, structures, host::Settings(technique.info().settings, settings),
-                                                              {tally.precision, 1, options.counters, false});
-                    run.visibility.resize(scene.samples.size());
-                    add(tally, scene, run, answer, how);
-                } catch (const host::InputError& error) {
-                    tally.refused = error.what();
+                if (at > 0 && !has(technique.info(), "seed")) continue;
+                for (size_t i = 0; i < settings.size(); ++i) {
+                    if (i > 0 && !has(technique.info(), settings[i].back().substr(0, settings[i].back().find('=')))) continue;
+                    if (step) step();
+                    const std::string how = fmt::format("{}, {}, scene seed {}, {}, {} triangles", tally.technique, host::name(tally.precision), sceneSeed,
+                                                        fmt::join(settings[i], " "), scene.triangles.size());
+                    try {
+                        host::TechniqueResult run = technique.run(inputs, structures, host::Settings(technique.info().settings, settings[i]),
+                                                                  {tally.precision, 1, options.counters, false});
+                        run.visibility.resize(scene.samples.size());
+                        add(tally, scene, run, answer, how);
+                    } catch (const host::InputError& error) {
+                        tally.refused = error.what();
+                    }
                 }
             }
         }

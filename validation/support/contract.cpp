@@ -23,14 +23,20 @@ std::string guardOf(const Module& module) {
     return "";
 }
 
-/// What a #define says after the name and its parameters.
+/// What a #define says after the name and its parameters; these as headers write them, without their last '_'.
 std::string bodyOf(const std::string& define, size_t nameEnd) {
-    return define.substr(nameEnd < define.size() && define[nameEnd] == '(' ? define.find(')', nameEnd) + 1 : nameEnd);
+    if (nameEnd >= define.size() || define[nameEnd] != '(') return define.substr(nameEnd);
+    const size_t end = define.find(')', nameEnd);
+    std::string body = define.substr(end + 1);
+    for (const std::string& parameter : tokensOf(define.substr(nameEnd, end - nameEnd)))
+        if (isName(parameter) && endsWith(parameter, "_"))
+            body = std::regex_replace(body, std::regex("\\b" + parameter + "\\b"), parameter.substr(0, parameter.size() - 1));
+    return body;
 }
 
 /// What a module's code asks of its user: macros in conditionals that the library does not define itself.
 struct Asked {
-    bool required = false;  ///< its absence is an #error
+    bool required = false;  ///< its absence is an #error, unless it has a default: then another macro will do
     std::string standard;   ///< default, when the code gives one
 };
 
@@ -177,7 +183,7 @@ private:
                 if (!ours.contains(macro) || !entry.standard.empty() || entry.required) fault(module.path, "reads " + macro + ", which has no row");
                 continue;
             }
-            if (entry.required && row->second.required != "yes") fault(module.path, macro + " is required, its row says " + row->second.required);
+            if (entry.required && entry.standard.empty() && row->second.required != "yes") fault(module.path, macro + " is required, its row says " + row->second.required);
             if (!entry.standard.empty()) {
                 const std::string standard = trimmed(entry.standard);
                 if (row->second.required != "no") fault(module.path, macro + " has a default, its row says required " + row->second.required);

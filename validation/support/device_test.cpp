@@ -13,6 +13,11 @@ host::Frame frameOf(const Scene& scene) {
     frame.material.assign(scene.triangles.size(), 0);
     frame.object.assign(scene.triangles.size(), 0);
     frame.closed = scene.closed.empty() ? std::vector<uint8_t>(scene.triangles.size(), 0) : scene.closed;
+    for (size_t i = 0; i < scene.triangles.size(); ++i) {
+        const host::Triangle& t = scene.triangles[i];
+        frame.low = glm::min(glm::min(t.a, t.b), glm::min(t.c, i == 0 ? t.a : frame.low));
+        frame.high = glm::max(glm::max(t.a, t.b), glm::max(t.c, i == 0 ? t.a : frame.high));
+    }
     frame.camera.gridFromCamera[3] = glm::dvec4(0, 0, 4, 1);
     if (scene.camera) frame.camera = *scene.camera;
     return frame;

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "glsl/clusters/cluster.h"
+#include "glsl/forest/cells.h"
 #include "glsl/top/node.h"
 #include "host_min/output/exr.hpp"
 #include "validation/tests/cli_child.hpp"
@@ -17,9 +18,10 @@ namespace fs = std::filesystem;
 using host::test::Json;
 using Names = std::set<std::string>;
 
-const std::vector<std::string> kAll{"psv", "d-psv", "d-stackless", "d-hybrid", "ptsv", "ptsv-2011"};
+const std::vector<std::string> kAll{"psv", "d-psv", "d-stackless", "d-hybrid", "ptsv", "ptsv-2011", "forest"};
 
 bool isTop(const std::string& technique) { return technique == "psv" || technique.starts_with("d-"); }
+bool visitsNodes(const std::string& technique) { return isTop(technique) || technique == "forest"; }
 
 Names keysOf(const Json& object) {
     Names keys;
@@ -97,17 +99,18 @@ TEST(Shade, AllTechniquesAndLightsWithEverythingWritten) {
         EXPECT_EQ(mask.size(), 37u * 23u);
         EXPECT_EQ(uint64_t(std::count(mask.begin(), mask.end(), float(GNO_VISIBILITY_SHADOW))), record["in_shadow"].get<uint64_t>());
 
-        const bool top = isTop(kAll[i % kAll.size()]), flat = kAll[i % kAll.size()] == "ptsv-2011";
-        for (const char* picture : top ? std::vector{"shaded", "mask", "visited_nodes", "stack", "difference"}
+        const bool top = isTop(kAll[i % kAll.size()]), flat = kAll[i % kAll.size()] == "ptsv-2011", forest = kAll[i % kAll.size()] == "forest";
+        for (const char* picture : top || forest ? std::vector{"shaded", "mask", "visited_nodes", "stack", "difference"}
                                        : std::vector{"shaded", "mask", "sample_tests", "difference"})
             expected.insert(stem + "-" + name + "-" + picture + ".png");
         expected.insert(stem + ".exr");
-        std::vector<const char*> dumps{"header.bin", "casters.bin", "states.bin", "samples.bin", "visibility.bin", "oracle_shadow.bin", "oracle_caster.bin", "dump.json"};
+        std::vector<const char*> dumps{"casters.bin", "states.bin", "samples.bin", "visibility.bin", "oracle_shadow.bin", "oracle_caster.bin", "dump.json"};
         for (const char* more :
-             top ? std::vector{"planes.bin", "links.bin", "visits.bin", "visited_nodes.bin", "deepest_stack.bin"}
-                : std::vector{"frame.bin", "slices.bin", "masks.bin", "masks_built.bin", "volumes.bin", "low.bin", "high.bin", "sample_tests.bin"})
+             top      ? std::vector{"header.bin", "planes.bin", "links.bin", "visits.bin", "visited_nodes.bin", "deepest_stack.bin"}
+             : forest ? std::vector{"forest_header.bin", "grid.bin", "cells.bin", "pairs.bin", "planes.bin", "links.bin", "visited_nodes.bin", "deepest_stack.bin"}
+                      : std::vector{"header.bin", "frame.bin", "slices.bin", "masks.bin", "masks_built.bin", "volumes.bin", "low.bin", "high.bin", "sample_tests.bin"})
             dumps.push_back(more);
-        if (!top && !flat) dumps.push_back("pointers.bin");
+        if (!top && !flat && !forest) dumps.push_back("pointers.bin");
         for (const char* dumped : dumps) expected.insert(stem + "-" + name + "-" + dumped);
 
         const Json index = Json::parse(readFile(stage.out() / (stem + "-" + name + "-dump.json")));
@@ -124,6 +127,15 @@ TEST(Shade, AllTechniquesAndLightsWithEverythingWritten) {
             EXPECT_EQ(bytes.at("planes"), topPlaneBytes(14));
             EXPECT_EQ(bytes.at("links"), topLinkBytes(14));
             EXPECT_EQ(bytes.at("header"), sizeof(GnoTopHeader));
+        } else if (forest) {
+            const uint64_t pairs = record["counters"]["pairs"];
+            EXPECT_GT(pairs, 0u);
+            EXPECT_EQ(bytes.at("grid"), sizeof(GnoForestGrid));
+            EXPECT_EQ(bytes.at("forest_header"), sizeof(GnoForestHeader));
+            EXPECT_EQ(bytes.at("cells") % (gnoCellCount(1, light == "0" ? 6 : 1) * sizeof(GnoForestCell)), 0u);
+            EXPECT_EQ(bytes.at("pairs"), pairs * sizeof(GnoForestPair));
+            EXPECT_EQ(bytes.at("planes"), topPlaneBytes(pairs));
+            EXPECT_EQ(bytes.at("links"), topLinkBytes(pairs));
         } else {
             EXPECT_EQ(bytes.at("frame"), sizeof(GnoClusterFrame) + sizeof(GnoClusterLayout));
             EXPECT_EQ(bytes.at("header"), sizeof(GnoClusterHeader));
@@ -138,7 +150,7 @@ TEST(Shade, AllTechniquesAndLightsWithEverythingWritten) {
     Names channels{"position.X", "position.Y", "position.Z", "normal.X", "normal.Y", "normal.Z", "primitive"};
     for (const std::string& technique : kAll)
         for (const char* channel :
-             isTop(technique) ? std::vector{".visibility", ".visited_nodes", ".stack"} : std::vector{".visibility", ".sample_tests"})
+             visitsNodes(technique) ? std::vector{".visibility", ".visited_nodes", ".stack"} : std::vector{".visibility", ".sample_tests"})
             channels.insert(technique + ".certified" + channel);
     const host::ExrFile exr = host::readExr(stage.out() / "scene-l0-f000.exr");
     Names found;

@@ -77,16 +77,24 @@ struct GnoBase { vec3 a; };
 // Macro                      required  default  meaning
 // GNO_SIZE                   no        32       entries
 // GNO_EXTRA                  no        -        one more
+// GNO_BASE(index)            yes       -        where an index leads; not where GNO_WHOSE is given
+// GNO_WHOSE(index)           no        GNO_BASE(index)  the same, twice
 // The macros of part.glsl    yes       -        things
 #ifndef GNO_CORE_WHOLE_GLSL
 #define GNO_CORE_WHOLE_GLSL
 #include "part.glsl"
+#if !(defined(GNO_BASE) || defined(GNO_WHOSE))
+#error "core/whole.glsl: define GNO_BASE(index)"
+#endif
 #ifndef GNO_SIZE
 #define GNO_SIZE 32
 #endif
+#ifndef GNO_WHOSE
+#define GNO_WHOSE(index_) GNO_BASE(index_)
+#endif
 float gnoWhole(GnoBase base_, vec3 p_) {
     float sum_ = p_.x, other_ = base_.a.x;
-    for (uint i_ = 0u; i_ < uint(GNO_SIZE); ++i_) sum_ += gnoPart_(i_).x;
+    for (uint i_ = 0u; i_ < uint(GNO_SIZE); ++i_) sum_ += gnoPart_(GNO_WHOSE(i_)).x;
 #ifdef GNO_EXTRA
     sum_ += GNO_EXTRA;
 #endif
@@ -153,6 +161,8 @@ const Spoilt kSpoilt[] = {
      "float sum_ =", "#if GNO_ROOT\n#endif\n#ifndef GNO_ROOT\n#define GNO_ROOT 1u\n#endif\nfloat sum_ =", "GNO_ROOT is 1u by default"},
     {"TakenOverFromNowhere", "core/whole.glsl", "of part.glsl ", "of parts.glsl", "which does not exist"},
     {"OtherDefault", "core/whole.glsl", "no        32 ", "no        12 ", "GNO_SIZE is 32 by default, its row says 12"},
+    {"OtherDefaultOfAParameter", "core/whole.glsl", "no        GNO_BASE(index) ", "no        GNO_BASE(other) ", "GNO_WHOSE is GNO_BASE(index) by default"},
+    {"OneOfTwoCalledOptional", "core/whole.glsl", "// GNO_BASE(index)            yes", "// GNO_BASE(index)            no ", "GNO_BASE is required, its row says no"},
     {"RequiredCalledOptional", "core/part.glsl", "// GNO_LOAD(index)   yes", "// GNO_LOAD(index)   no ", "GNO_LOAD is required, its row says no"},
     {"OptionalCalledRequired", "core/part.glsl", "// GNO_ROOT          no ", "// GNO_ROOT          yes",
      "GNO_ROOT has a default, its row says required yes"},

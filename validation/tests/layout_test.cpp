@@ -7,6 +7,7 @@
 #include <spirv_cross/spirv_cross.hpp>
 
 #include "glsl/clusters/cluster.h"
+#include "glsl/forest/cells.h"
 #include "glsl/shadow_map/view.h"
 #include "glsl/top/node.h"
 #include "host_min/frame/inputs.hpp"
@@ -188,6 +189,39 @@ TEST(Layout, HeaderAndArraysOfAClusterHierarchy) {
         EXPECT_EQ(traverse.stride(words), 4u) << words;
     for (const char* pairs : {"gnoClusterPointers", "gnoClusterInfo", "gnoClusterJobs"}) EXPECT_EQ(traverse.stride(pairs), 8u) << pairs;
     EXPECT_EQ(7 * traverse.stride("gnoClusterVolumes"), 112u);
+}
+
+TEST(Layout, GridCellsPairsAndHeaderOfAForest) {
+    const std::vector<Member> grid{MEMBER(GnoForestGrid, across),    MEMBER(GnoForestGrid, along),      MEMBER(GnoForestGrid, stepAcross),
+                                   MEMBER(GnoForestGrid, stepAlong), MEMBER(GnoForestGrid, resolution), MEMBER(GnoForestGrid, faces)};
+    const std::vector<Member> cell{MEMBER(GnoForestCell, farthest), MEMBER(GnoForestCell, cover), MEMBER(GnoForestCell, pairs), MEMBER(GnoForestCell, root)};
+    const std::vector<Member> pair{MEMBER(GnoForestPair, caster), MEMBER(GnoForestPair, cell)};
+    const std::vector<Member> few{MEMBER(GnoForestFew, cells), MEMBER(GnoForestFew, least)};
+    const std::vector<Member> header{MEMBER(GnoForestHeader, groupsOfPairs), MEMBER(GnoForestHeader, one0), MEMBER(GnoForestHeader, one1),
+                                     MEMBER(GnoForestHeader, pairs),         MEMBER(GnoForestHeader, groupsOfSome), MEMBER(GnoForestHeader, one2),
+                                     MEMBER(GnoForestHeader, one3),          MEMBER(GnoForestHeader, some), MEMBER(GnoForestHeader, groupsOfMany),
+                                     MEMBER(GnoForestHeader, one4),          MEMBER(GnoForestHeader, one5), MEMBER(GnoForestHeader, many),
+                                     MEMBER(GnoForestHeader, used)};
+    for (const std::string shader : {"reset.comp", "depth.comp", "sort.comp", "assign_few.comp", "assign_some.comp", "assign_many.comp", "allocate.comp", "sizes.comp", "set_up.comp", "build.comp",
+                                     "query_stack.comp", "query_hybrid.frag", "query_stackless.comp.counters"}) {
+        SCOPED_TRACE(shader);
+        const Reflection reflection("forest/examples/" + shader);
+        expectSame(reflection.member("gnoForestGrid", 0), grid, sizeof(GnoForestGrid));
+        expectSame(reflection.member("gnoForestCells", 0), cell, sizeof(GnoForestCell));
+        expectSame(reflection.member("gnoForestPairs", 0), pair, sizeof(GnoForestPair));
+        expectSame(reflection.member("gnoForestHeader", 0), header, sizeof(GnoForestHeader));
+        EXPECT_EQ(reflection.stride("gnoForestCells"), sizeof(GnoForestCell));
+        expectSame(reflection.member("gnoForestFew", 0), few, sizeof(GnoForestFew));
+        EXPECT_EQ(reflection.stride("gnoForestPairs"), sizeof(GnoForestPair));
+        EXPECT_EQ(reflection.stride("gnoForestFew"), sizeof(GnoForestFew));
+    }
+    for (const size_t dispatch : {offsetof(GnoForestHeader, groupsOfPairs), offsetof(GnoForestHeader, groupsOfSome), offsetof(GnoForestHeader, groupsOfMany)})
+        EXPECT_EQ(dispatch % 4, 0u) << "an indirect dispatch reads it";
+    EXPECT_EQ(offsetof(GnoForestHeader, one1), offsetof(GnoForestHeader, groupsOfPairs) + 8) << "its three words lie together";
+    EXPECT_EQ(offsetof(GnoForestHeader, one3), offsetof(GnoForestHeader, groupsOfSome) + 8);
+    EXPECT_EQ(offsetof(GnoForestHeader, one5), offsetof(GnoForestHeader, groupsOfMany) + 8);
+    EXPECT_EQ(gnoCellCount(64, 6), 24576u);
+    EXPECT_EQ(gnoCellCount(1024, 6), 6u << 20);
 }
 
 TEST(Layout, ViewsOfAShadowMap) {

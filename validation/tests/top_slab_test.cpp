@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// top/plane.glsl, compiled as C++: no point of a shadow volume lies outside the bounds of its side of a plane (9). Planes, casters and points as a tree meets them:
-// random ones, casters that share an edge with the plane's owner or stand an ulp off its plane, directions and points, in every float mode.
+// top/plane.glsl, compiled as C++: no point of a shadow volume lies outside the bounds of its side of a plane (9). Planes, casters and points as a
+// tree meets them: random ones, casters that share an edge with the plane's owner or stand an ulp off its plane, directions and points, in every
+// float mode.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -31,15 +32,21 @@ GnoCaster neighbourOf(Random& r, vec4 light, const GnoCaster& owner) {
     const glm::dvec3 middle(r.real(), r.real(), r.real());
     const auto near = [&](double size) { return snap(middle * 0.9 + size * glm::dvec3(r.real(), r.real(), r.real())); };
     switch (r.below(4)) {
-        case 0: return {r.uniform(), r.uniform(), r.uniform()};
+        case 0:
+            return {r.uniform(), r.uniform(), r.uniform()};
         case 1: {
             const double size = std::ldexp(0.1, -r.below(12));
             return {near(size), near(size), near(size)};
         }
-        case 2: return {owner.b, owner.a, r.uniform()};
+        case 2:
+            return {owner.b, owner.a, r.uniform()};
         default: {
-            const auto onPlane = [&] { return behind(light, glm::dvec3(owner.a) + (glm::dvec3(owner.b) - glm::dvec3(owner.a)) * (r.real() * 0.5 + 0.5), 1.0 + 0.4 * r.real()); };
-            return {r.neighbour(snap(onPlane())), snap(onPlane() + std::ldexp(1.0, -10 - r.below(12)) * glm::dvec3(r.real(), r.real(), r.real())), r.uniform()};
+            const auto onPlane = [&] {
+                return behind(light, glm::dvec3(owner.a) + (glm::dvec3(owner.b) - glm::dvec3(owner.a)) * (r.real() * 0.5 + 0.5),
+                              1.0 + 0.4 * r.real());
+            };
+            return {r.neighbour(snap(onPlane())), snap(onPlane() + std::ldexp(1.0, -10 - r.below(12)) * glm::dvec3(r.real(), r.real(), r.real())),
+                    r.uniform()};
         }
     }
 }
@@ -99,8 +106,8 @@ TEST(TopSlab, HoldsEveryPointOfAVolume) {
             const GnoCaster owner{r.uniform(), r.uniform(), r.uniform()};
             check(r, light, owner, neighbourOf(r, light, owner), count);
         }
-        std::printf("seed %u, float mode %u: %u positive (%u with a lower bound), %u negative, %u points\n", kSeed, mode, count.positive, count.lowered,
-                    count.negative, count.points);
+        std::printf("seed %u, float mode %u: %u positive (%u with a lower bound), %u negative, %u points\n", kSeed, mode, count.positive,
+                    count.lowered, count.negative, count.points);
         EXPECT_GT(count.lowered, 500u);
         EXPECT_GT(count.negative, 500u);
         EXPECT_GT(count.points, 10000u);
