@@ -25,8 +25,8 @@ uint32_t mostPairs(const DeviceFacts& device) {
 
 constexpr std::array kResolutions{4u, 8u, 16u, 32u, 64u, 128u, 256u};
 
-/// What a build and a query cost together, in visited nodes of a query: a pair costs as much as 65, a sample visits 5.5 times the 0.3rd power of the
-/// pairs that a cell holds in the mean. Fitted to 13 scenes at 1920x1080, see glsl/README.md, "How many cells".
+/// What a build and a query cost together, in visited nodes of a query: a pair costs as much as 65, a sample visits 5.5 times the 0.3rd power of the pairs that a cell
+/// holds in the mean. Fitted to 13 scenes at 1920x1080, see glsl/README.md, "How many cells".
 double expectedVisits(const GnoForestHeader& found, uint64_t samples) {
     return 65.0 * found.pairs + double(samples) * 5.5 * std::pow(double(found.pairs) / std::max(1u, found.used), 0.3);
 }
@@ -75,17 +75,14 @@ ForestTrees::ForestTrees(const FrameInputs& inputs, const ForestOptions& options
       slabs_(inputs.device(), 64) {
     if (groupsOf(inputs.triangleCount()) > kMostGroups)
         throw InputError(fmt::format("{} triangles are over the forest's limit of {}", inputs.triangleCount(), kMostGroups * GNO_FOREST_GROUP));
-    if (options.resolution == 0)
-        chooseResolution();
-    else
-        count(options.resolution);
+    if (options.resolution == 0) chooseResolution();
+    else count(options.resolution);
     const uint32_t most = mostPairs(inputs.device().facts());
     if (found_.pairs > most)
-        throw InputError(fmt::format("the forest needs {} pairs of cell and caster, over the limit of {}: use a smaller --set cells than {}",
-                                     found_.pairs, most, resolution_));
+        throw InputError(fmt::format("the forest needs {} pairs of cell and caster, over the limit of {}: use a smaller --set cells than {}", found_.pairs, most,
+                                     resolution_));
     if (options.pool > 0 && options.pool < found_.pairs)
-        throw InputError(
-            fmt::format("--set pool={}: the forest needs {} pairs of cell and caster: use a larger pool, or 0", options.pool, found_.pairs));
+        throw InputError(fmt::format("--set pool={}: the forest needs {} pairs of cell and caster: use a larger pool, or 0", options.pool, found_.pairs));
     const uint64_t capacity = options.pool > 0 ? options.pool : found_.pairs;
     pool_ = Buffer(inputs.device(), std::max<uint64_t>(capacity, 1) * sizeof(GnoForestPair));
     planes_ = Buffer(inputs.device(), topPlaneBytes(capacity));
@@ -138,19 +135,9 @@ void ForestTrees::chooseResolution() {
 }
 
 std::vector<Binding> ForestTrees::resources() const {
-    return {{"gnoCasters", &inputs_.casters()},
-            {"gnoStates", &inputs_.states()},
-            {"gnoSamples", &inputs_.samples()},
-            {"gnoForestGrid", &grid_},
-            {"gnoForestCells", &cells_},
-            {"gnoForestPairs", &pool_},
-            {"gnoForestHeader", &header_},
-            {"gnoForestFew", &few_},
-            {"gnoList", &list_},
-            {"gnoTopPlanes", &planes_},
-            {"gnoTopLinks", &links_},
-            {"gnoTopHeader", &header_},
-            {"gnoTopSlabs", &slabs_}};
+    return {{"gnoCasters", &inputs_.casters()}, {"gnoStates", &inputs_.states()}, {"gnoSamples", &inputs_.samples()}, {"gnoForestGrid", &grid_},
+            {"gnoForestCells", &cells_},        {"gnoForestPairs", &pool_},       {"gnoForestHeader", &header_},      {"gnoForestFew", &few_},         {"gnoList", &list_},
+            {"gnoTopPlanes", &planes_},         {"gnoTopLinks", &links_},         {"gnoTopHeader", &header_},         {"gnoTopSlabs", &slabs_}};
 }
 
 const ComputePass& ForestTrees::pass(const std::string& name, Specialization constants) const {
@@ -220,9 +207,7 @@ void ForestTrees::recordTrees(Recording& recording, const Buffer* totals) const 
 }
 
 NamedNumbers ForestTrees::bytes() const {
-    return {{"trees", planes_.bytes() + links_.bytes() + (options_.slab ? slabs_.bytes() : 0)},
-            {"cells", cells_.bytes() + grid_.bytes() + header_.bytes()},
-            {"pairs", pool_.bytes()},
+    return {{"trees", planes_.bytes() + links_.bytes() + (options_.slab ? slabs_.bytes() : 0)}, {"cells", cells_.bytes() + grid_.bytes() + header_.bytes()}, {"pairs", pool_.bytes()},
             {"casters", list_.bytes() + few_.bytes()}};
 }
 
