@@ -27,14 +27,16 @@
 // Space      casters on the scene grid; facing = gnoFacing(light, caster), exact
 // Stages     any with storage buffers; no barrier, no shared memory, may diverge
 // Requires   #version 450, no extension
-// Reads      casters, planes; dispatch 2 reads links by atomics only
-// Writes     planes, links, header
+// Reads      casters, planes; dispatch 2 reads links and slabs by atomics only
+// Writes     planes, links, header; slabs where there are any
 // Cost       20 steps per caster and an atomic per step, about (random order, 100,000 casters)
 //
 // Macro                     required  default                   meaning
 // GNO_TOP_PLANES            yes       -                         array of vec4, 4 per caster
 // GNO_TOP_LINKS             yes       -                         array of GnoTopLink in a storage buffer, 4 per caster
 // GNO_TOP_HEADER            yes       -                         GnoTopHeader in a storage buffer; not where GNO_TOP_ROOT_OF is given
+// GNO_TOP_SLAB              no        -                         defined: the tree has slabs; 0: not yet, though (may be a specialization constant); not for `published`
+// GNO_TOP_SLABS             no        -                         array of GnoTopSlab in a storage buffer, 4 per caster; needed where GNO_TOP_SLAB is defined
 // GNO_TOP_ROOT_OF(block)    no        GNO_TOP_HEADER.root       uint in a storage buffer: the root of the tree that block belongs to
 // GNO_TOP_CASTER_OF(block)  no        (block)                   the caster of a block
 // GNO_LIGHT                 yes       -                         vec4, homogeneous (core/light.glsl)
@@ -56,6 +58,9 @@
 #ifndef GNO_TOP_ROOT_OF
 #define GNO_TOP_ROOT_OF(block_) GNO_TOP_HEADER.root
 #endif
+#if defined(GNO_TOP_SLAB) && !defined(GNO_TOP_SLABS)
+#error "top/build.glsl: define GNO_TOP_SLABS or include top/bindings.glsl before this file"
+#endif
 #ifndef GNO_TOP_CASTER_OF
 #define GNO_TOP_CASTER_OF(block_) (block_)
 #endif
@@ -71,6 +76,23 @@ GNO_INLINE bool gnoTopTouches_(vec3 v_, GnoCaster owner_, uint place_) {
     vec3 second_ = place_ == 0u ? owner_.b : place_ == 1u ? owner_.c : owner_.a;
     return v_ == first_ || v_ == second_;
 }
+
+#ifdef GNO_TOP_SLAB
+// A caster goes to the positive child: its distance, and (not for a cap) its sides.
+GNO_INLINE void gnoTopWidenPositive_(uint node_, vec3 sides_, vec3 scales_, float depth_, float spread_) {
+    atomicMin(GNO_TOP_SLABS[node_].positiveDepth, floatBitsToUint(depth_));
+    if ((node_ & 3u) == 3u) return;
+    uint slab_ = gnoTopPositive(GNO_LIGHT, sides_, scales_, depth_, spread_);
+    uint expected_ = 0u;
+    for (;;) {
+        uint wider_ = gnoTopWidest(expected_, slab_);
+        if (wider_ == expected_) return;
+        uint found_ = atomicCompSwap(GNO_TOP_SLABS[node_].positive, expected_, wider_);
+        if (found_ == expected_) return;
+        expected_ = found_;
+    }
+}
+#endif
 
 // Both bounds of a node only grow; the halves of one word grow together by compare-and-swap.
 GNO_INLINE void gnoTopWiden_(uint node_, uint wedge_) {
@@ -116,6 +138,23 @@ GNO_INLINE void gnoTopSetUp(uint block_, int facing_) {
     }
     GNO_TOP_LINKS[first_ + 2u].aux = flags_;
     GNO_TOP_PLANES[first_ + 3u] = gnoTopCapPlane(GNO_LIGHT, t_, facing_, GNO_PRECISION);
+#ifdef GNO_TOP_SLAB
+    if (GNO_TOP_SLAB != 0) {
+        vec3 q0_ = gnoFromLight(GNO_LIGHT, t_.a);
+        vec3 q1_ = gnoFromLight(GNO_LIGHT, t_.b);
+        vec3 q2_ = gnoFromLight(GNO_LIGHT, t_.c);
+        vec3 scales_ = vec3(gnoLightScale(GNO_LIGHT, q0_), gnoLightScale(GNO_LIGHT, q1_), gnoLightScale(GNO_LIGHT, q2_));
+        float spread_ = gnoTopSpread(GNO_LIGHT, q0_, q1_, q2_);
+        for (uint i_ = 0u; i_ < 4u; ++i_) {
+            vec4 plane_ = GNO_TOP_PLANES[first_ + i_];
+            vec3 sides_ = vec3(gnoTopSide(plane_, q0_), gnoTopSide(plane_, q1_), gnoTopSide(plane_, q2_));
+            GNO_TOP_SLABS[first_ + i_].positive = 0u;
+            GNO_TOP_SLABS[first_ + i_].negative = floatBitsToUint(gnoTopNegative(GNO_LIGHT, sides_, scales_, depth_, spread_));
+            GNO_TOP_SLABS[first_ + i_].positiveDepth = floatBitsToUint(GNO_TOP_NO_BOUND);
+            GNO_TOP_SLABS[first_ + i_].intersectionDepth = floatBitsToUint(GNO_TOP_NO_BOUND);
+        }
+    }
+#endif
 }
 
 GNO_INLINE bool gnoTopInsert(uint block_) {
@@ -135,7 +174,12 @@ GNO_INLINE bool gnoTopInsert(uint block_) {
     while (node_ != GNO_TOP_NONE) {
         GNO_COUNT(buildSteps, 1u);
         bool cap_ = (node_ & 3u) == 3u;
-        if ((node_ & 3u) == 0u) atomicMin(GNO_TOP_LINKS[node_].aux, depthBits_);
+#ifdef GNO_TOP_SLAB
+        bool slab_ = GNO_TOP_SLAB != 0;
+#else
+        bool slab_ = false;
+#endif
+        if ((node_ & 3u) == 0u && !slab_) atomicMin(GNO_TOP_LINKS[node_].aux, depthBits_);
         vec4 plane_ = GNO_TOP_PLANES[node_];
         vec3 sides_ = vec3(gnoTopSide(plane_, q0_), gnoTopSide(plane_, q1_), gnoTopSide(plane_, q2_));
         vec3 margins_ = vec3(0.0f);
@@ -164,14 +208,24 @@ GNO_INLINE bool gnoTopInsert(uint block_) {
                 GNO_COUNT(dropped, 1u);
                 return false;
             }
+#ifdef GNO_TOP_SLAB
+            if (slab_ && cap_) gnoTopWidenPositive_(node_, sides_, scales_, depth_, spread_);
+            if (slab_ && !cap_) atomicMax(GNO_TOP_SLABS[node_].negative, floatBitsToUint(gnoTopNegative(GNO_LIGHT, sides_, scales_, depth_, spread_)));
+#endif
             node_ = cap_ ? atomicCompSwap(GNO_TOP_LINKS[node_].positiveChild, GNO_TOP_NONE, first_) : node_ + 1u;
         } else if (above_) {
+#ifdef GNO_TOP_SLAB
+            if (slab_) gnoTopWidenPositive_(node_, sides_, scales_, depth_, spread_);
+#endif
             node_ = atomicCompSwap(GNO_TOP_LINKS[node_].positiveChild, GNO_TOP_NONE, first_);
         } else {
             GNO_COUNT(intersections, 1u);
             if (!cap_) {  // the capping plane does not pass through the light: it has no wedge
                 gnoTopWiden_(node_, gnoTopWedge(GNO_LIGHT, sides_, scales_, depth_, spread_, GNO_PRECISION));
             }
+#ifdef GNO_TOP_SLAB
+            if (slab_) atomicMin(GNO_TOP_SLABS[node_].intersectionDepth, depthBits_);
+#endif
             ancestor_ = node_;
             node_ = atomicCompSwap(GNO_TOP_LINKS[node_].intersectionChild, GNO_TOP_NONE, first_);
         }

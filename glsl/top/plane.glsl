@@ -16,6 +16,9 @@
 //                                                          `published`: the float bits of the largest sine of a vertex
 //   uint  gnoTopWidest(uint a, uint b)                     the wedge that holds both (not for `published`: there it is the maximum of two uints)
 //   bool  gnoTopInWedge(uint wedge, float side, float scale, uint precision)       false: certainly outside
+//   uint  gnoTopPositive(...)                              bounds of side(q) / scale(q) over the volume of a caster on the positive side, from both ends (9)
+//   float gnoTopNegative(...)                              upper bound of -side(q) / scale(q) over the volume of a caster on the negative side
+//   bool  gnoTopInPositive(uint positive, float side, float scale)                 false: certainly outside
 //
 // Space      positions on the scene grid; q = gnoFromLight(p); facing = gnoFacing(light, t), never 0
 // Stages     any; pure
@@ -53,6 +56,13 @@
 //    with the expressions of the build): a point of the owner's volume is then certainly negative, too, and (2), (3), (5) and (6) hold for the stored plane, which errs by nothing. Inside
 //    its band a point is in no volume of the owner, the positive or the negative child. It says nothing about the owner otherwise: whoever comes out behind the cap of such
 //    a volume is decided exactly, all planes at once, and the volume swallows no other caster.
+// 9. Bounds from both ends, for what lies wholly on one side. From above, either side: (6), which asks nothing of where the caster lies; a touching vertex, whose side is
+//    taken for 0, has exactly |n.v| <= E|v| for the stored n, with the 5u of the point's own side still below the 2E of (6). From below, the positive side, point light:
+//    all o_i >= 0, m = min o_i/|v_i|; n.q = sum l_i n.v_i >= (m - 5u) sum l_i |v_i| >= (m - 5u)|q| where m > 5u, for |q| <= sum l_i |v_i|: an arc between two vertices
+//    bulges away from the plane, so here the vertices do. The point's own side errs by 5u|q|, m itself by 6u m <= 7u: m - 2E, and less by 16u of itself for the product in
+//    the query and |q|. Directional: min o_i - 6ES, as in (6). Where that is below 0 it is stored as 0, and
+//    a computed side below 0 is looked up as 0: the exact sign may have sent such a point to the positive side. Both bounds are of the computed side of every point of the
+//    volume, so the band needs no case of its own, nor does a substitute plane.
 #ifndef GNO_TOP_PLANE_GLSL
 #define GNO_TOP_PLANE_GLSL
 #include "../core/light.glsl"
@@ -271,6 +281,29 @@ GNO_INLINE uint gnoTopWedge(vec4 light_, vec3 sides_, vec3 scales_, float depth_
 GNO_INLINE bool gnoTopInWedge(uint wedge_, float side_, float scale_, uint precision_) {
     if (precision_ == GNO_PRECISION_PUBLISHED) return abs(side_) <= uintBitsToFloat(wedge_) * scale_;
     return side_ > 0.0f ? side_ <= uintBitsToFloat(wedge_ & 0xFFFF0000u) * scale_ : -side_ <= uintBitsToFloat(wedge_ << 16) * scale_;
+}
+
+GNO_INLINE float gnoTopMin_(vec3 v_) { return min(v_.x, min(v_.y, v_.z)); }
+
+// Arguments as gnoTopWedge; no side below 0. High half: from above. Low half: from below, as 0xFFFF minus it, so that both halves grow and gnoTopWidest holds both.
+GNO_INLINE uint gnoTopPositive(vec4 light_, vec3 sides_, vec3 scales_, float depth_, float spread_) {
+    if (!(light_.w == 0.0f || gnoTopMin_(scales_) > 1e-15f)) return (gnoTopHalf_(GNO_TOP_NO_BOUND) << 16) | 0xFFFFu;
+    vec3 sines_ = vec3(sides_.x / scales_.x, sides_.y / scales_.y, sides_.z / scales_.z);
+    float most_ = gnoTopBound_(light_, max(0.0f, gnoTopMax_(sines_)), max(0.0f, gnoTopMax_(sides_)), gnoTopMax_(scales_), depth_, spread_);
+    float least_ = light_.w == 0.0f ? (gnoTopMin_(sides_) - 6.0f * GNO_BAND * GNO_SCENE_RADIUS) / GNO_SCENE_RADIUS : gnoTopMin_(sines_) - 2.0f * GNO_BAND;
+    least_ = max(0.0f, least_ * (1.0f - 16.0f * GNO_ULP));
+    return (gnoTopHalf_(most_) << 16) | (0xFFFFu - (floatBitsToUint(least_) >> 16));
+}
+
+GNO_INLINE float gnoTopNegative(vec4 light_, vec3 sides_, vec3 scales_, float depth_, float spread_) {
+    if (!(light_.w == 0.0f || gnoTopMin_(scales_) > 1e-15f)) return GNO_TOP_NO_BOUND;
+    vec3 sines_ = vec3(sides_.x / scales_.x, sides_.y / scales_.y, sides_.z / scales_.z);
+    return gnoTopBound_(light_, max(0.0f, -gnoTopMin_(sines_)), max(0.0f, -gnoTopMin_(sides_)), gnoTopMax_(scales_), depth_, spread_);
+}
+
+GNO_INLINE bool gnoTopInPositive(uint positive_, float side_, float scale_) {
+    float from_ = max(side_, 0.0f);
+    return from_ <= uintBitsToFloat(positive_ & 0xFFFF0000u) * scale_ && from_ >= uintBitsToFloat((0xFFFFu - (positive_ & 0xFFFFu)) << 16) * scale_;
 }
 
 GNO_NAMESPACE_END

@@ -71,7 +71,8 @@ ForestTrees::ForestTrees(const FrameInputs& inputs, const ForestOptions& options
       few_(inputs.device(), sizeof(GnoForestFew) * uint64_t(inputs.triangleCount())),
       pool_(inputs.device(), 8),
       planes_(inputs.device(), 64),
-      links_(inputs.device(), 64) {
+      links_(inputs.device(), 64),
+      slabs_(inputs.device(), 64) {
     if (groupsOf(inputs.triangleCount()) > kMostGroups)
         throw InputError(fmt::format("{} triangles are over the forest's limit of {}", inputs.triangleCount(), kMostGroups * GNO_FOREST_GROUP));
     if (options.resolution == 0) chooseResolution();
@@ -86,6 +87,7 @@ ForestTrees::ForestTrees(const FrameInputs& inputs, const ForestOptions& options
     pool_ = Buffer(inputs.device(), std::max<uint64_t>(capacity, 1) * sizeof(GnoForestPair));
     planes_ = Buffer(inputs.device(), topPlaneBytes(capacity));
     links_ = Buffer(inputs.device(), topLinkBytes(capacity));
+    if (options.slab) slabs_ = Buffer(inputs.device(), topSlabBytes(capacity));
     if (options.counters) {
         Buffer totals(inputs.device(), 5 * 4);
         totals.fill(0);
@@ -135,7 +137,7 @@ void ForestTrees::chooseResolution() {
 std::vector<Binding> ForestTrees::resources() const {
     return {{"gnoCasters", &inputs_.casters()}, {"gnoStates", &inputs_.states()}, {"gnoSamples", &inputs_.samples()}, {"gnoForestGrid", &grid_},
             {"gnoForestCells", &cells_},        {"gnoForestPairs", &pool_},       {"gnoForestHeader", &header_},      {"gnoForestFew", &few_},         {"gnoList", &list_},
-            {"gnoTopPlanes", &planes_},         {"gnoTopLinks", &links_},         {"gnoTopHeader", &header_}};
+            {"gnoTopPlanes", &planes_},         {"gnoTopLinks", &links_},         {"gnoTopHeader", &header_},         {"gnoTopSlabs", &slabs_}};
 }
 
 const ComputePass& ForestTrees::pass(const std::string& name, Specialization constants) const {
@@ -143,7 +145,10 @@ const ComputePass& ForestTrees::pass(const std::string& name, Specialization con
         constants[30] = options_.viewCull;
         constants[31] = options_.cover;
     }
-    if (name.starts_with("set_up") || name.starts_with("build")) constants[0] = uint32_t(options_.precision);
+    if (name.starts_with("set_up") || name.starts_with("build")) {
+        constants[0] = uint32_t(options_.precision);
+        constants[3] = options_.slab;
+    }
     return inputs_.passes().compute("forest/examples/" + name, constants);
 }
 
@@ -202,7 +207,7 @@ void ForestTrees::recordTrees(Recording& recording, const Buffer* totals) const 
 }
 
 NamedNumbers ForestTrees::bytes() const {
-    return {{"trees", planes_.bytes() + links_.bytes()}, {"cells", cells_.bytes() + grid_.bytes() + header_.bytes()}, {"pairs", pool_.bytes()},
+    return {{"trees", planes_.bytes() + links_.bytes() + (options_.slab ? slabs_.bytes() : 0)}, {"cells", cells_.bytes() + grid_.bytes() + header_.bytes()}, {"pairs", pool_.bytes()},
             {"casters", list_.bytes() + few_.bytes()}};
 }
 

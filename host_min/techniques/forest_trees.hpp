@@ -15,6 +15,7 @@ struct ForestOptions {
     Precision precision = Precision::certified;
     uint32_t resolution = 0;  ///< cells along an edge of a face; 0: chosen by counting pairs at several
     bool viewCull = true, cover = true;
+    bool slab = false;  ///< bounds of a node's children, kept in the node
     uint32_t pool = 0;  ///< pairs; 0: as many as the frame needs, which one read-back tells
     uint32_t seed = 1;  ///< of the insertion order
     uint32_t repeat = 1;
@@ -50,7 +51,7 @@ private:
     ForestOptions options_;
     uint32_t resolution_ = 0, cellCount_ = 0;
     GnoForestHeader found_{};  ///< what the assignment counted
-    Buffer grid_, cells_, header_, list_, few_, pool_, planes_, links_;
+    Buffer grid_, cells_, header_, list_, few_, pool_, planes_, links_, slabs_;
     std::vector<RecordPass> passes_;
     TopBuildCounters counters_;
 };

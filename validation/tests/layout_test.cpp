@@ -104,6 +104,16 @@ TEST(Layout, LinksAndPlanesOfATopTree) {
     }
 }
 
+TEST(Layout, SlabsOfATopTree) {
+    const std::vector<Member> slab{MEMBER(GnoTopSlab, positive), MEMBER(GnoTopSlab, negative), MEMBER(GnoTopSlab, positiveDepth), MEMBER(GnoTopSlab, intersectionDepth)};
+    for (const std::string shader : {"forest/examples/set_up.comp", "forest/examples/build.comp", "forest/examples/query_hybrid.comp", "forest/examples/query_stack.frag"}) {
+        SCOPED_TRACE(shader);
+        const Reflection reflection(shader);
+        expectSame(reflection.layout(reflection.contents("gnoTopSlabs").self), slab, sizeof(GnoTopSlab));
+        EXPECT_EQ(reflection.stride("gnoTopSlabs"), sizeof(GnoTopSlab));
+    }
+}
+
 TEST(Layout, HeaderOfATopTree) {
     const std::vector<Member> header{MEMBER(GnoTopHeader, root), MEMBER(GnoTopHeader, casterCount), MEMBER(GnoTopHeader, unused0),
                                      MEMBER(GnoTopHeader, unused1)};

@@ -4,7 +4,9 @@
 // Each pair goes into its cell's tree. One invocation per pair, in random order.
 layout(local_size_x = 64) in;
 layout(constant_id = 0) const uint kPrecision = 2u;
+layout(constant_id = 3) const uint kSlab = 0u;
 #define GNO_PRECISION kPrecision
+#define GNO_TOP_SLAB kSlab
 #include "../../core/bindings.glsl"
 #include "../../core/examples/frame.glsl"
 #include "../../core/permutation.glsl"
