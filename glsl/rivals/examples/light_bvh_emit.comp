@@ -1,0 +1,18 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Step 3: one invocation per triangle.
+#include "light_bvh_frame.glsl"
+layout(set = 2, binding = 0, std430) readonly buffer GnoExampleStates { uint v[]; } gnoStates;
+
+void main() {
+    uint caster = gl_GlobalInvocationID.x;
+    uint faces = caster < gnoPush.count ? gnoLightBvhMasks.v[caster] : 0u;
+    int facing = 0;
+    GnoCellVolume v;
+    if (faces != 0u) {
+        facing = gnoCasterFacing(gnoStates.v[caster]);
+        v = gnoCellVolume(GNO_LIGHT, GNO_LOAD_CASTER(caster), facing);
+    }
+    gnoLightBvhEmit(caster, faces, v, facing, gl_WorkGroupID.x, gl_LocalInvocationIndex);
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// gnomon rivals/light_bvh_bounds.glsl : a caster's bounds on the faces of a light's cube, and where a point lies in them.
+//
+//   bool gnoLightBvhBounds(vec4 light, GnoForestGrid grid, uint face, GnoCellVolume v, out uint low, out uint high)       false: the volume meets no sample of the face
+//   uint gnoLightBvhKey(uint face, uint low, uint high)               the order of the references: by face, then along a Morton curve
+//   GnoLightBvhBox gnoLightBvhUnion(GnoLightBvhBox a, GnoLightBvhBox b)         link is a's
+//   float gnoLightBvhArea(uint low, uint high)                        in cells
+//   bool gnoLightBvhHolds(uint low, uint high, uvec2 at)              a cell lies in the bounds
+//
+// Bounds are whole cells (forest/cells.glsl, 1 to 4): a point in a caster's shadow volume has its cell in the caster's bounds on its face, for certain, and comparing
+// cells is exact. So a hierarchy of unions loses nothing, and only the leaves' casters are left to decide. A face is left out where gnoCellMissed is sure of its
+// whole pyramid (a grid of one cell per face).
+//
+// Space      light coordinates; grid.resolution is GNO_LIGHT_BVH_RESOLUTION
+// Stages     any; pure
+// Requires   #version 450, no extension
+// Source     key after Morton; boxes of 16 bits are this project's
+#ifndef GNO_RIVALS_LIGHT_BVH_BOUNDS_GLSL
+#define GNO_RIVALS_LIGHT_BVH_BOUNDS_GLSL
+#include "../forest/cells.glsl"
+#include "light_bvh.h"
+GNO_NAMESPACE_BEGIN
+
+GNO_INLINE bool gnoLightBvhBounds(vec4 light_, GnoForestGrid grid_, uint face_, GnoCellVolume v_, GNO_OUT(uint) low_, GNO_OUT(uint) high_) {
+    low_ = 0u;
+    high_ = 0u;
+    uvec4 cells_ = gnoCellRectangle(light_, grid_, face_, v_);
+    if (cells_.x >= cells_.z) return false;
+    if (light_.w != 0.0f) {
+        GnoForestGrid face1_ = grid_;
+        face1_.resolution = 1u;
+        face1_.stepAcross = 2.0f;
+        face1_.stepAlong = 2.0f;
+        if (gnoCellMissed(light_, face1_, face_, uvec2(0u, 0u), v_)) return false;
+    }
+    low_ = cells_.x | (cells_.y << 16);
+    high_ = (cells_.z - 1u) | ((cells_.w - 1u) << 16);
+    return true;
+}
+
+GNO_INLINE uint gnoLightBvhSpread_(uint x_) {  // 16 bits to every second one
+    x_ = (x_ | (x_ << 8)) & 0x00FF00FFu;
+    x_ = (x_ | (x_ << 4)) & 0x0F0F0F0Fu;
+    x_ = (x_ | (x_ << 2)) & 0x33333333u;
+    return (x_ | (x_ << 1)) & 0x55555555u;
+}
+
+// 3 bits of the face, 15 of the middle's column and 14 of its row.
+GNO_INLINE uint gnoLightBvhKey(uint face_, uint low_, uint high_) {
+    uint x_ = ((low_ & 0xFFFFu) + (high_ & 0xFFFFu)) >> 1;
+    uint y_ = ((low_ >> 16) + (high_ >> 16)) >> 1;
+    return (face_ << 29) | ((gnoLightBvhSpread_(y_) | (gnoLightBvhSpread_(x_) << 1)) >> 3);
+}
+
+GNO_INLINE uint gnoLightBvhLower_(uint a_, uint b_) { return min(a_ & 0xFFFFu, b_ & 0xFFFFu) | min(a_ & 0xFFFF0000u, b_ & 0xFFFF0000u); }
+GNO_INLINE uint gnoLightBvhUpper_(uint a_, uint b_) { return max(a_ & 0xFFFFu, b_ & 0xFFFFu) | max(a_ & 0xFFFF0000u, b_ & 0xFFFF0000u); }
+
+GNO_INLINE GnoLightBvhBox gnoLightBvhUnion(GnoLightBvhBox a_, GnoLightBvhBox b_) {
+    GnoLightBvhBox both_ = a_;
+    both_.low = gnoLightBvhLower_(a_.low, b_.low);
+    both_.high = gnoLightBvhUpper_(a_.high, b_.high);
+    both_.least = min(a_.least, b_.least);
+    return both_;
+}
+
+GNO_INLINE float gnoLightBvhArea(uint low_, uint high_) {
+    return float((high_ & 0xFFFFu) - (low_ & 0xFFFFu) + 1u) * float((high_ >> 16) - (low_ >> 16) + 1u);
+}
+
+GNO_INLINE bool gnoLightBvhHolds(uint low_, uint high_, uvec2 at_) {
+    return at_.x >= (low_ & 0xFFFFu) && at_.x <= (high_ & 0xFFFFu) && at_.y >= (low_ >> 16) && at_.y <= (high_ >> 16);
+}
+
+GNO_NAMESPACE_END
+#endif
