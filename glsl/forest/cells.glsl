@@ -25,7 +25,10 @@
 // 3. Rectangle. Where z > 0 at all three vertices (a difference of two numbers has the exact sign) the volume has exactly x/z between the vertices' least and greatest,
 //    whose computed values err by 5u of themselves. If the volume meets cell i, the least is below bound(i+1) + 2E, computed below bound(i+1) + 3E; it is looked up
 //    6E lower, which covers the 9u of the look-up. Directional: x errs by 4uS, and a point of the volume is v - mu D', mu <= 2S, D' the light's direction, at a right angle to
-//    the axis but for 2u: 8uS, with 1. and the look-up 33uS, and 6ES are taken. Where z <= 0 at one or two vertices all cells are taken; z < 0 at all three: none, the volume lies behind the face.
+//    the axis but for 2u: 8uS, with 1. and the look-up 33uS, and 6ES are taken.
+//    Where z <= 0 at all three vertices the volume has no point with z > 0, and no cell. Where z <= 0 at one or two, let m be the least x/z of the others. If x - m z > 0 at the
+//    vertices with z <= 0, too, then x - m z >= 0 in the whole volume (a sum of the vertices with weights >= 0), so m bounds x/z wherever z > 0; the greatest likewise. The
+//    computed x - m z errs by 2u|x| + 8u|m z|, m's own 5u included, so it has to be above 2E(|x| + |m z|). Otherwise the axis is not bounded on that side.
 // 4. Missed. A lateral plane is held against the corners as it is against a caster in a tree (top/plane.glsl, 3 and 5): all four on the positive side by
 //    gnoTopMargin, so is every point of the pyramid (prism), and the caster's volume is on the other side. This holds for a substitute plane as well.
 // 5. Covered. All four corners on the negative side of all three lateral planes by gnoTopMargin, none of them a substitute (it does not bound the caster): each direction of
@@ -111,16 +114,28 @@ GNO_INLINE uvec2 gnoCellRange_(vec4 light_, float least_, float greatest_, float
     return uvec2(uint(min(max(from_, 0.0f), last_)), uint(min(max(to_, 0.0f), last_)) + 1u);
 }
 
+// The greatest x/z of a volume with these vertices, where z > 0 (one of them has z > 0).
+GNO_INLINE float gnoCellGreatest_(vec3 x_, vec3 z_) {
+    float a_ = z_.x > 0.0f ? x_.x / z_.x : -GNO_TOP_NO_BOUND;
+    float b_ = z_.y > 0.0f ? x_.y / z_.y : -GNO_TOP_NO_BOUND;
+    float c_ = z_.z > 0.0f ? x_.z / z_.z : -GNO_TOP_NO_BOUND;
+    float most_ = max(a_, max(b_, c_));
+    bool bounded_ = (z_.x > 0.0f || most_ * z_.x - x_.x > 2.0f * GNO_BAND * (abs(x_.x) + abs(most_ * z_.x))) &&
+                    (z_.y > 0.0f || most_ * z_.y - x_.y > 2.0f * GNO_BAND * (abs(x_.y) + abs(most_ * z_.y))) &&
+                    (z_.z > 0.0f || most_ * z_.z - x_.z > 2.0f * GNO_BAND * (abs(x_.z) + abs(most_ * z_.z)));
+    return bounded_ ? most_ : GNO_TOP_NO_BOUND;
+}
+
 GNO_INLINE uvec4 gnoCellRectangle(vec4 light_, GnoForestGrid grid_, uint face_, GnoCellVolume v_) {
     vec3 a_ = gnoCellPlace(light_, grid_, face_, v_.q0);
     vec3 b_ = gnoCellPlace(light_, grid_, face_, v_.q1);
     vec3 c_ = gnoCellPlace(light_, grid_, face_, v_.q2);
-    if (a_.z < 0.0f && b_.z < 0.0f && c_.z < 0.0f) return uvec4(0u, 0u, 0u, 0u);
-    if (!(a_.z > 0.0f && b_.z > 0.0f && c_.z > 0.0f)) return uvec4(0u, 0u, grid_.resolution, grid_.resolution);
-    vec3 x_ = vec3(a_.x / a_.z, b_.x / b_.z, c_.x / c_.z);
-    vec3 y_ = vec3(a_.y / a_.z, b_.y / b_.z, c_.y / c_.z);
-    uvec2 columns_ = gnoCellRange_(light_, min(x_.x, min(x_.y, x_.z)), gnoTopMax_(x_), grid_.across.w, grid_.stepAcross, grid_.resolution);
-    uvec2 rows_ = gnoCellRange_(light_, min(y_.x, min(y_.y, y_.z)), gnoTopMax_(y_), grid_.along.w, grid_.stepAlong, grid_.resolution);
+    vec3 depth_ = vec3(a_.z, b_.z, c_.z);
+    if (!(gnoTopMax_(depth_) > 0.0f)) return uvec4(0u, 0u, 0u, 0u);
+    vec3 x_ = vec3(a_.x, b_.x, c_.x);
+    vec3 y_ = vec3(a_.y, b_.y, c_.y);
+    uvec2 columns_ = gnoCellRange_(light_, -gnoCellGreatest_(-x_, depth_), gnoCellGreatest_(x_, depth_), grid_.across.w, grid_.stepAcross, grid_.resolution);
+    uvec2 rows_ = gnoCellRange_(light_, -gnoCellGreatest_(-y_, depth_), gnoCellGreatest_(y_, depth_), grid_.along.w, grid_.stepAlong, grid_.resolution);
     if (columns_.x >= columns_.y || rows_.x >= rows_.y) return uvec4(0u, 0u, 0u, 0u);
     return uvec4(columns_.x, rows_.x, columns_.y, rows_.y);
 }
