@@ -38,18 +38,19 @@ GNO_INLINE bool gnoLightBvhBounds(vec4 light_, GnoForestGrid grid_, uint face_, 
     return true;
 }
 
-GNO_INLINE uint gnoLightBvhSpread_(uint x_) {  // 16 bits to every second one
-    x_ = (x_ | (x_ << 8)) & 0x00FF00FFu;
-    x_ = (x_ | (x_ << 4)) & 0x0F0F0F0Fu;
-    x_ = (x_ | (x_ << 2)) & 0x33333333u;
-    return (x_ | (x_ << 1)) & 0x55555555u;
-}
-
-// 3 bits of the face, 15 of the middle's column and 14 of its row.
+// From the top: 3 bits of the face, then digit by digit whether the bounds are as wide as the digit's cell (the first four), and the middle's column and row.
 GNO_INLINE uint gnoLightBvhKey(uint face_, uint low_, uint high_) {
     uint x_ = ((low_ & 0xFFFFu) + (high_ & 0xFFFFu)) >> 1;
     uint y_ = ((low_ >> 16) + (high_ >> 16)) >> 1;
-    return (face_ << 29) | ((gnoLightBvhSpread_(y_) | (gnoLightBvhSpread_(x_) << 1)) >> 3);
+    uint width_ = max((high_ & 0xFFFFu) - (low_ & 0xFFFFu), (high_ >> 16) - (low_ >> 16));
+    uint key_ = face_;
+    for (uint digit_ = 16u; digit_ > 3u; --digit_) {
+        uint bit_ = digit_ - 1u;
+        if (digit_ > 12u) key_ = (key_ << 1) | (width_ >> bit_ != 0u ? 1u : 0u);
+        key_ = (key_ << 1) | ((x_ >> bit_) & 1u);
+        if (digit_ > 4u) key_ = (key_ << 1) | ((y_ >> bit_) & 1u);
+    }
+    return key_;
 }
 
 GNO_INLINE uint gnoLightBvhLower_(uint a_, uint b_) { return min(a_ & 0xFFFFu, b_ & 0xFFFFu) | min(a_ & 0xFFFF0000u, b_ & 0xFFFF0000u); }
