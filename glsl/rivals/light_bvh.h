@@ -27,7 +27,7 @@
 #include "../core/shared_types.h"
 GNO_NAMESPACE_BEGIN
 
-GNO_CONST uint GNO_LIGHT_BVH_RESOLUTION = 65536u;    // cells along an edge of a face: 16 bits a coordinate
+GNO_CONST uint GNO_LIGHT_BVH_RESOLUTION = 32768u;    // cells along an edge of a face: 15 bits, and one to spare
 GNO_CONST uint GNO_LIGHT_BVH_GROUP = 64u;            // invocations per work group of the build
 GNO_CONST uint GNO_LIGHT_BVH_LEVELS = 56u;           // a path has at most 32 splits by a key's bits and 22 by an index's
 GNO_CONST uint GNO_LIGHT_BVH_FAN = 8u;               // boxes under one of the next row
@@ -39,8 +39,8 @@ GNO_CONST uint GNO_LIGHT_BVH_POSITIVE = 0x40000000u; // of a leaf: gnoFacing is 
 GNO_CONST uint GNO_LIGHT_BVH_CASTER = 0x3FFFFFFFu;   // mask
 
 struct GnoLightBvhBox {    // std430, 16 bytes
-    uint low;              //  0  first column, first row << 16
-    uint high;             //  4  last column, last row << 16
+    uint low;              //  0  first column, first row << 16; the highest bit of either half is 0
+    uint high;             //  4  last column, last row << 16; the same
     float least;           //  8  lower bound of gnoLightDepth over all casters in it
     uint link;             // 12  reference: its leaf's link; of `splits`: the last leaf of the first child, and the two bits below
 };

@@ -5,7 +5,7 @@
 //   uint gnoLightBvhKey(uint face, uint low, uint high)               the order of the references: by face, then along a Morton curve
 //   GnoLightBvhBox gnoLightBvhUnion(GnoLightBvhBox a, GnoLightBvhBox b)         link is a's
 //   float gnoLightBvhArea(uint low, uint high)                        in cells
-//   bool gnoLightBvhHolds(uint low, uint high, uvec2 at)              a cell lies in the bounds
+//   bool gnoLightBvhHolds(uint low, uint high, uint place)            the cell in column `place & 0xFFFF` and row `place >> 16` lies in the bounds
 //
 // Bounds are whole cells (forest/cells.glsl, 1 to 4): a point in a caster's shadow volume has its cell in the caster's bounds on its face, for certain, and comparing
 // cells is exact. So a hierarchy of unions loses nothing, and only the leaves' casters are left to decide. A face is left out where gnoCellMissed is sure of its
@@ -14,7 +14,7 @@
 // Space      light coordinates; grid.resolution is GNO_LIGHT_BVH_RESOLUTION
 // Stages     any; pure
 // Requires   #version 450, no extension
-// Source     key after Morton; boxes of 16 bits are this project's
+// Source     key after Morton; boxes of cells are this project's
 #ifndef GNO_RIVALS_LIGHT_BVH_BOUNDS_GLSL
 #define GNO_RIVALS_LIGHT_BVH_BOUNDS_GLSL
 #include "../forest/cells.glsl"
@@ -44,11 +44,11 @@ GNO_INLINE uint gnoLightBvhKey(uint face_, uint low_, uint high_) {
     uint y_ = ((low_ >> 16) + (high_ >> 16)) >> 1;
     uint width_ = max((high_ & 0xFFFFu) - (low_ & 0xFFFFu), (high_ >> 16) - (low_ >> 16));
     uint key_ = face_;
-    for (uint digit_ = 16u; digit_ > 3u; --digit_) {
+    for (uint digit_ = 15u; digit_ > 2u; --digit_) {
         uint bit_ = digit_ - 1u;
-        if (digit_ > 12u) key_ = (key_ << 1) | (width_ >> bit_ != 0u ? 1u : 0u);
+        if (digit_ > 11u) key_ = (key_ << 1) | (width_ >> bit_ != 0u ? 1u : 0u);
         key_ = (key_ << 1) | ((x_ >> bit_) & 1u);
-        if (digit_ > 4u) key_ = (key_ << 1) | ((y_ >> bit_) & 1u);
+        if (digit_ > 3u) key_ = (key_ << 1) | ((y_ >> bit_) & 1u);
     }
     return key_;
 }
@@ -68,8 +68,9 @@ GNO_INLINE float gnoLightBvhArea(uint low_, uint high_) {
     return float((high_ & 0xFFFFu) - (low_ & 0xFFFFu) + 1u) * float((high_ >> 16) - (low_ >> 16) + 1u);
 }
 
-GNO_INLINE bool gnoLightBvhHolds(uint low_, uint high_, uvec2 at_) {
-    return at_.x >= (low_ & 0xFFFFu) && at_.x <= (high_ & 0xFFFFu) && at_.y >= (low_ >> 16) && at_.y <= (high_ >> 16);
+// Both halves at once: with its highest bit set a half never borrows, and keeps the bit if and only if it was not the smaller one.
+GNO_INLINE bool gnoLightBvhHolds(uint low_, uint high_, uint place_) {
+    return ((((place_ | 0x80008000u) - low_) & ((high_ | 0x80008000u) - place_)) & 0x80008000u) == 0x80008000u;
 }
 
 GNO_NAMESPACE_END

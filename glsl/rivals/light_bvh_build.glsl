@@ -122,7 +122,7 @@ GnoLightBvhBox gnoLightBvhRange_(uint first_, uint last_) {
     uint below_ = 0u;
     uint boxes_ = gnoLightBvhLength_();
     uint end_ = last_ + 1u;
-    GnoLightBvhBox box_ = GnoLightBvhBox(0xFFFFFFFFu, 0u, uintBitsToFloat(0x7F7FFFFFu), 0u);
+    GnoLightBvhBox box_ = GnoLightBvhBox(0x7FFF7FFFu, 0u, uintBitsToFloat(0x7F7FFFFFu), 0u);
     while (first_ < end_) {
         while (first_ < end_ && first_ % GNO_LIGHT_BVH_FAN != 0u) box_ = gnoLightBvhUnion(box_, GNO_LIGHT_BVH_BOXES[below_ + first_++]);
         while (first_ < end_ && end_ % GNO_LIGHT_BVH_FAN != 0u) box_ = gnoLightBvhUnion(box_, GNO_LIGHT_BVH_BOXES[below_ + --end_]);
@@ -234,7 +234,7 @@ void gnoLightBvhCollapse(uint level_, uint i_) {
         atomicMax(GNO_LIGHT_BVH_LEVEL_TABLE[level_ + 1u].groups, gnoLightBvhGroups(taken_ + inner_));
         next_ = first_ + count_ + taken_;
     }
-    GnoLightBvhNode made_ = GnoLightBvhNode(uvec4(0xFFFFFFFFu), uvec4(0u), vec4(0.0f), uvec4(GNO_LIGHT_BVH_NONE));
+    GnoLightBvhNode made_ = GnoLightBvhNode(uvec4(0x7FFF7FFFu), uvec4(0u), vec4(0.0f), uvec4(GNO_LIGHT_BVH_NONE));
     for (uint c_ = 0u; c_ < children_; ++c_) {
         made_.low[c_] = boxes_[c_].low;
         made_.high[c_] = boxes_[c_].high;

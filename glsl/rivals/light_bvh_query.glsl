@@ -56,10 +56,10 @@ bool gnoLightBvhShadows_(uint leaf_, GnoViewSample s_) {
 }
 
 // Bit c: child c holds the cell, and something in it is no farther from the light than `depth`.
-uint gnoLightBvhMet_(GnoLightBvhNode node_, uvec2 at_, float depth_) {
+uint gnoLightBvhMet_(GnoLightBvhNode node_, uint place_, float depth_) {
     uint met_ = 0u;
     for (uint c_ = 0u; c_ < 4u; ++c_) {
-        if (gnoLightBvhHolds(node_.low[c_], node_.high[c_], at_) && node_.least[c_] <= depth_) met_ |= 1u << c_;
+        if (gnoLightBvhHolds(node_.low[c_], node_.high[c_], place_) && node_.least[c_] <= depth_) met_ |= 1u << c_;
     }
     return met_;
 }
@@ -67,13 +67,14 @@ uint gnoLightBvhMet_(GnoLightBvhNode node_, uvec2 at_, float depth_) {
 bool gnoLightBvhQueryStackless(GnoViewSample s_) {
     vec3 q_ = gnoFromLight(GNO_LIGHT, s_.position);
     uvec3 at_ = gnoCellAt(GNO_LIGHT, GNO_LIGHT_BVH_GRID, q_);
+    uint place_ = at_.x | (at_.y << 16);
     float depth_ = gnoLightDepth(GNO_LIGHT, q_);
     uint index_ = GNO_LIGHT_BVH_ROOT(at_.z);
     uint from_ = 0u;  // children below this one are done
     while (index_ != GNO_LIGHT_BVH_NONE) {
         GnoLightBvhNode node_ = GNO_LIGHT_BVH_LOAD_NODE(index_);
         GNO_COUNT(visitedNodes, 1u);
-        uint met_ = gnoLightBvhMet_(node_, at_.xy, depth_) & (0xFu << from_);
+        uint met_ = gnoLightBvhMet_(node_, place_, depth_) & (0xFu << from_);
         uint down_ = GNO_LIGHT_BVH_NONE;
         while (met_ != 0u && down_ == GNO_LIGHT_BVH_NONE) {
             int child_ = findLSB(met_);
@@ -97,24 +98,23 @@ bool gnoLightBvhQueryStackless(GnoViewSample s_) {
 bool gnoLightBvhQuery(GnoViewSample s_) {
     vec3 q_ = gnoFromLight(GNO_LIGHT, s_.position);
     uvec3 at_ = gnoCellAt(GNO_LIGHT, GNO_LIGHT_BVH_GRID, q_);
+    uint place_ = at_.x | (at_.y << 16);
     float depth_ = gnoLightDepth(GNO_LIGHT, q_);
     uint stack_[GNO_LIGHT_BVH_STACK_SIZE];
     uint used_ = 0u;
     bool lost_ = false;
     uint link_ = GNO_LIGHT_BVH_ROOT(at_.z);
     while (link_ != GNO_LIGHT_BVH_NONE) {
-        uint next_ = GNO_LIGHT_BVH_NONE;
-        if ((link_ & GNO_LIGHT_BVH_LEAF) != 0u) {
-            if (gnoLightBvhShadows_(link_, s_)) return true;
-        } else {
+        while ((link_ & GNO_LIGHT_BVH_LEAF) == 0u) {  // invocations that found a leaf wait for the others, and all decide at once
             GnoLightBvhNode node_ = GNO_LIGHT_BVH_LOAD_NODE(link_);
             GNO_COUNT(visitedNodes, 1u);
-            uint met_ = gnoLightBvhMet_(node_, at_.xy, depth_);
+            uint met_ = gnoLightBvhMet_(node_, place_, depth_);
+            link_ = GNO_LIGHT_BVH_NONE;
             for (uint c_ = 0u; c_ < 4u; ++c_) {
                 if ((met_ & (1u << c_)) == 0u) continue;
-                if (next_ != GNO_LIGHT_BVH_NONE) {
+                if (link_ != GNO_LIGHT_BVH_NONE) {
                     if (used_ < uint(GNO_LIGHT_BVH_STACK_SIZE)) {
-                        stack_[used_] = next_;
+                        stack_[used_] = link_;
                         ++used_;
                         GNO_COUNT_MAX(deepestStack, used_);
                     } else {
@@ -122,14 +122,13 @@ bool gnoLightBvhQuery(GnoViewSample s_) {
                         GNO_COUNT(stackOverflows, 1u);
                     }
                 }
-                next_ = node_.link[c_];
+                link_ = node_.link[c_];
             }
+            if (link_ == GNO_LIGHT_BVH_NONE && used_ > 0u) link_ = stack_[--used_];
         }
-        if (next_ == GNO_LIGHT_BVH_NONE && used_ > 0u) {
-            --used_;
-            next_ = stack_[used_];
-        }
-        link_ = next_;
+        if (link_ == GNO_LIGHT_BVH_NONE) break;
+        if (gnoLightBvhShadows_(link_, s_)) return true;
+        link_ = used_ > 0u ? stack_[--used_] : GNO_LIGHT_BVH_NONE;
     }
     return lost_ ? gnoLightBvhQueryStackless(s_) : false;
 }
