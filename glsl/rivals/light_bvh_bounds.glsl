@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
 // gnomon rivals/light_bvh_bounds.glsl : a caster's bounds on the faces of a light's cube, and where a point lies in them.
 //
-//   bool gnoLightBvhBounds(vec4 light, GnoForestGrid grid, uint face, GnoCellVolume v, out uint low, out uint high)       false: the volume meets no sample of the face
+//   GnoLightBvhCaster gnoLightBvhCaster(vec4 light, GnoCaster t, int facing)         a kept caster, seen from the light; facing = gnoFacing(light, t), never 0
+//   uint gnoLightBvhFaces(vec4 light, GnoForestGrid grid, GnoLightBvhCaster c)        bit f: its shadow volume may meet a sample of face f
+//   bool gnoLightBvhBounds(vec4 light, GnoForestGrid grid, uint face, GnoLightBvhCaster c, out uint low, out uint high)       false: it meets none
 //   uint gnoLightBvhKey(uint face, uint low, uint high)               the order of the references: by face, then along a Morton curve
 //   GnoLightBvhBox gnoLightBvhUnion(GnoLightBvhBox a, GnoLightBvhBox b)         link is a's
 //   float gnoLightBvhArea(uint low, uint high)                        in cells
 //   bool gnoLightBvhHolds(uint low, uint high, uint place)            the cell in column `place & 0xFFFF` and row `place >> 16` lies in the bounds
 //
 // Bounds are whole cells (forest/cells.glsl, 1 to 4): a point in a caster's shadow volume has its cell in the caster's bounds on its face, for certain, and comparing
-// cells is exact. So a hierarchy of unions loses nothing, and only the leaves' casters are left to decide. A face is left out where gnoCellMissed is sure of its
-// whole pyramid (a grid of one cell per face).
+// cells is exact. So a hierarchy of unions loses nothing, and only the leaves' casters are left to decide. A caster whose cells reach a face's border may pass by its corner: that face is
+// left out where gnoCellMissed is sure of the whole pyramid (a grid of one cell per face).
+//
+// A face's side: its samples have x/z <= 1 + 2E (forest/cells.glsl, 1). If x - z (1 + 2E) > 0 at all vertices, so it is in the whole volume, whatever z. The computed
+// x - z errs by 2u(|x| + |z|), so x - z > 3E(|x| + |z|) is enough.
 //
 // Space      light coordinates; grid.resolution is GNO_LIGHT_BVH_RESOLUTION
 // Stages     any; pure
@@ -21,21 +26,67 @@
 #include "light_bvh.h"
 GNO_NAMESPACE_BEGIN
 
-GNO_INLINE bool gnoLightBvhBounds(vec4 light_, GnoForestGrid grid_, uint face_, GnoCellVolume v_, GNO_OUT(uint) low_, GNO_OUT(uint) high_) {
-    low_ = 0u;
-    high_ = 0u;
-    uvec4 cells_ = gnoCellRectangle(light_, grid_, face_, v_);
-    if (cells_.x >= cells_.z) return false;
-    if (light_.w != 0.0f) {
-        GnoForestGrid face1_ = grid_;
-        face1_.resolution = 1u;
-        face1_.stepAcross = 2.0f;
-        face1_.stepAlong = 2.0f;
-        if (gnoCellMissed(light_, face1_, face_, uvec2(0u, 0u), v_)) return false;
-    }
+struct GnoLightBvhCaster {
+    GnoCaster t;
+    int facing;
+    GnoCellVolume v;  // its vertices alone; the rest is undefined
+};
+
+GNO_INLINE GnoLightBvhCaster gnoLightBvhCaster(vec4 light_, GnoCaster t_, int facing_) {
+    GnoLightBvhCaster c_;
+    c_.t = t_;
+    c_.facing = facing_;
+    c_.v.q0 = gnoFromLight(light_, t_.a);
+    c_.v.q1 = gnoFromLight(light_, t_.b);
+    c_.v.q2 = gnoFromLight(light_, t_.c);
+    return c_;
+}
+
+GNO_INLINE bool gnoLightBvhBounds(vec4 light_, GnoForestGrid grid_, uint face_, GnoLightBvhCaster c_, GNO_OUT(uint) low_, GNO_OUT(uint) high_) {
+    uvec4 cells_ = gnoCellRectangle(light_, grid_, face_, c_.v);
     low_ = cells_.x | (cells_.y << 16);
     high_ = (cells_.z - 1u) | ((cells_.w - 1u) << 16);
-    return true;
+    return cells_.x < cells_.z;
+}
+
+GNO_INLINE bool gnoLightBvhBeyond_(vec3 x_, vec3 z_) {
+    return x_.x - z_.x > 3.0f * GNO_BAND * (abs(x_.x) + abs(z_.x)) && x_.y - z_.y > 3.0f * GNO_BAND * (abs(x_.y) + abs(z_.y)) &&
+           x_.z - z_.z > 3.0f * GNO_BAND * (abs(x_.z) + abs(z_.z));
+}
+
+// The quick answer to most faces of most casters: all vertices lie beyond the same side of the face's pyramid.
+GNO_INLINE bool gnoLightBvhPasses_(vec4 light_, GnoForestGrid grid_, uint face_, GnoCellVolume v_) {
+    if (light_.w == 0.0f) return false;
+    vec3 a_ = gnoCellPlace(light_, grid_, face_, v_.q0);
+    vec3 b_ = gnoCellPlace(light_, grid_, face_, v_.q1);
+    vec3 c_ = gnoCellPlace(light_, grid_, face_, v_.q2);
+    vec3 x_ = vec3(a_.x, b_.x, c_.x);
+    vec3 y_ = vec3(a_.y, b_.y, c_.y);
+    vec3 z_ = vec3(a_.z, b_.z, c_.z);
+    return gnoLightBvhBeyond_(x_, z_) || gnoLightBvhBeyond_(-x_, z_) || gnoLightBvhBeyond_(y_, z_) || gnoLightBvhBeyond_(-y_, z_);
+}
+
+GNO_INLINE uint gnoLightBvhFaces(vec4 light_, GnoForestGrid grid_, GnoLightBvhCaster c_) {
+    uint faces_ = 0u;
+    uint doubtful_ = 0u;
+    for (uint face_ = 0u; face_ < grid_.faces; ++face_) {
+        uint low_, high_;
+        if (gnoLightBvhPasses_(light_, grid_, face_, c_.v) || !gnoLightBvhBounds(light_, grid_, face_, c_, low_, high_)) continue;
+        faces_ |= 1u << face_;
+        uint last_ = grid_.resolution - 1u;
+        bool inner_ = (low_ & 0xFFFFu) != 0u && (low_ >> 16) != 0u && (high_ & 0xFFFFu) != last_ && (high_ >> 16) != last_;
+        if (!inner_ && light_.w != 0.0f) doubtful_ |= 1u << face_;
+    }
+    if (doubtful_ == 0u) return faces_;
+    GnoForestGrid whole_ = grid_;  // a cell a face
+    whole_.resolution = 1u;
+    whole_.stepAcross = 2.0f;
+    whole_.stepAlong = 2.0f;
+    GnoCellVolume v_ = gnoCellVolume(light_, c_.t, c_.facing);
+    for (uint face_ = 0u; face_ < grid_.faces; ++face_) {
+        if ((doubtful_ & (1u << face_)) != 0u && gnoCellMissed(light_, whole_, face_, uvec2(0u, 0u), v_)) faces_ &= ~(1u << face_);
+    }
+    return faces_;
 }
 
 // From the top: 3 bits of the face, then digit by digit whether the bounds are as wide as the digit's cell (the first four), and the middle's column and row.

@@ -2,10 +2,10 @@
 // gnomon rivals/light_bvh_build.glsl : a hierarchy over the casters of a light, built along a Morton curve.
 // Binary hierarchy after Karras, "Maximizing Parallelism in the Construction of BVHs, Octrees, and k-d Trees", HPG 2012; opened to four children from the top.
 //
-//   uint gnoLightBvhFaces(GnoCellVolume v)                                     bit f: the caster gets a reference on face f
-//   void gnoLightBvhCount(uint caster, uint faces, uint group, uint invocation)             1: one invocation per triangle; faces 0: it casts nothing
+//   void gnoLightBvhCount(uint caster, uint faces, uint group, uint invocation)             1: one invocation per triangle; gnoLightBvhFaces, or 0: it casts nothing
 //   void gnoLightBvhBegin(uint references)                                     2: one invocation, told the sum of all counts
-//   void gnoLightBvhEmit(uint caster, uint faces, GnoCellVolume v, int facing, uint group, uint invocation)           3: as 1
+//   uint gnoLightBvhFirst(uint faces, uint group, uint invocation)             3: as 1, with the same faces: where the caster's references begin
+//   void gnoLightBvhEmit(uint caster, uint faces, GnoLightBvhCaster c, uint first)          3: writes them
 //   (core/radix_sort.glsl over keys and order)                                 4
 //   void gnoLightBvhLeaf(uint i)                                               5: one invocation per reference, in sorted order
 //   void gnoLightBvhUp(uint row, uint i)                                       6: rows 1, 2 .. until one has a single box, a dispatch each
@@ -19,7 +19,7 @@
 // A pool that is too small is not overrun: header.references tells, and no query over it means anything.
 //
 // Space      light coordinates
-// Stages     compute with storage buffers; 1 and 3 hold barriers: all GNO_LIGHT_BVH_GROUP invocations of the work group call, in uniform control flow
+// Stages     compute with storage buffers; gnoLightBvhCount and gnoLightBvhFirst hold barriers: all GNO_LIGHT_BVH_GROUP invocations of the work group call, in uniform control flow
 // Requires   #version 450, no extension, any subgroup width
 // Cost       58 dispatches of the collapse and the rows are short or empty; 8 rounds of sorting move 8 bytes per reference each
 //
@@ -52,15 +52,6 @@
 #error "rivals/light_bvh_build.glsl: define GNO_LIGHT, a homogeneous vec4"
 #endif
 
-uint gnoLightBvhFaces(GnoCellVolume v_) {
-    uint faces_ = 0u;
-    for (uint face_ = 0u; face_ < GNO_LIGHT_BVH_GRID.faces; ++face_) {
-        uint low_, high_;
-        if (gnoLightBvhBounds(GNO_LIGHT, GNO_LIGHT_BVH_GRID, face_, v_, low_, high_)) faces_ |= 1u << face_;
-    }
-    return faces_;
-}
-
 void gnoLightBvhCount(uint caster_, uint faces_, uint group_, uint invocation_) {
     uint total_;
     gnoGroupPrefix(uint(bitCount(faces_)), invocation_, total_);
@@ -83,15 +74,19 @@ void gnoLightBvhBegin(uint references_) {
 
 uint gnoLightBvhLength_() { return min(GNO_LIGHT_BVH_HEADER.references, GNO_LIGHT_BVH_CAPACITY); }
 
-void gnoLightBvhEmit(uint caster_, uint faces_, GnoCellVolume v_, int facing_, uint group_, uint invocation_) {
+uint gnoLightBvhFirst(uint faces_, uint group_, uint invocation_) {
     uint total_;
-    uint at_ = GNO_LIGHT_BVH_SUMS[group_] + gnoGroupPrefix(uint(bitCount(faces_)), invocation_, total_);
-    for (uint face_ = 0u; face_ < GNO_LIGHT_BVH_GRID.faces; ++face_) {
-        if ((faces_ & (1u << face_)) == 0u) continue;
+    return GNO_LIGHT_BVH_SUMS[group_] + gnoGroupPrefix(uint(bitCount(faces_)), invocation_, total_);
+}
+
+void gnoLightBvhEmit(uint caster_, uint faces_, GnoLightBvhCaster c_, uint at_) {
+    float least_ = gnoTopLeastDepth(GNO_LIGHT, c_.t);
+    for (; faces_ != 0u; faces_ &= faces_ - 1u) {
+        uint face_ = uint(findLSB(faces_));
         uint low_, high_;
-        gnoLightBvhBounds(GNO_LIGHT, GNO_LIGHT_BVH_GRID, face_, v_, low_, high_);
+        gnoLightBvhBounds(GNO_LIGHT, GNO_LIGHT_BVH_GRID, face_, c_, low_, high_);
         if (at_ < GNO_LIGHT_BVH_CAPACITY) {
-            GNO_LIGHT_BVH_REFERENCES[at_] = GnoLightBvhBox(low_, high_, v_.least, GNO_LIGHT_BVH_LEAF | (facing_ > 0 ? GNO_LIGHT_BVH_POSITIVE : 0u) | caster_);
+            GNO_LIGHT_BVH_REFERENCES[at_] = GnoLightBvhBox(low_, high_, least_, GNO_LIGHT_BVH_LEAF | (c_.facing > 0 ? GNO_LIGHT_BVH_POSITIVE : 0u) | caster_);
             GNO_LIGHT_BVH_KEYS[at_] = gnoLightBvhKey(face_, low_, high_);
             GNO_LIGHT_BVH_ORDER[at_] = at_;
         }

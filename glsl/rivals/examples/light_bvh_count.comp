@@ -9,6 +9,6 @@ void main() {
     uint caster = gl_GlobalInvocationID.x;
     uint faces = 0u;
     int facing = caster < gnoPush.count ? gnoCasterFacing(gnoStates.v[caster]) : 0;
-    if (facing != 0) faces = gnoLightBvhFaces(gnoCellVolume(GNO_LIGHT, GNO_LOAD_CASTER(caster), facing));
+    if (facing != 0) faces = gnoLightBvhFaces(GNO_LIGHT, GNO_LIGHT_BVH_GRID, gnoLightBvhCaster(GNO_LIGHT, GNO_LOAD_CASTER(caster), facing));
     gnoLightBvhCount(caster, faces, gl_WorkGroupID.x, gl_LocalInvocationIndex);
 }

@@ -8,11 +8,7 @@ layout(set = 2, binding = 0, std430) readonly buffer GnoExampleStates { uint v[]
 void main() {
     uint caster = gl_GlobalInvocationID.x;
     uint faces = caster < gnoPush.count ? gnoLightBvhMasks.v[caster] : 0u;
-    int facing = 0;
-    GnoCellVolume v;
-    if (faces != 0u) {
-        facing = gnoCasterFacing(gnoStates.v[caster]);
-        v = gnoCellVolume(GNO_LIGHT, GNO_LOAD_CASTER(caster), facing);
-    }
-    gnoLightBvhEmit(caster, faces, v, facing, gl_WorkGroupID.x, gl_LocalInvocationIndex);
+    uint first = gnoLightBvhFirst(faces, gl_WorkGroupID.x, gl_LocalInvocationIndex);
+    if (faces == 0u) return;
+    gnoLightBvhEmit(caster, faces, gnoLightBvhCaster(GNO_LIGHT, GNO_LOAD_CASTER(caster), gnoCasterFacing(gnoStates.v[caster])), first);
 }
