@@ -13,7 +13,7 @@
 // Cost       4 bytes of shared memory and 2 log2 GNO_PREFIX_GROUP barriers; gnoArrayPrefix reads the array twice and writes it once
 //
 // Macro                 required  default  meaning
-// GNO_PREFIX_GROUP      no        64       invocations of the work group, a power of two; the same wherever it is given
+// GNO_PREFIX_GROUP      no        64u      invocations of the work group, a power of two; the same wherever it is given
 // GNO_PREFIX_WORDS      no        -        array of uint in a storage buffer; needed for gnoArrayPrefix
 #ifndef GNO_CORE_PREFIX_SUM_GLSL
 #define GNO_CORE_PREFIX_SUM_GLSL

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // gnomon core/radix_sort.h : sizes of a radix sort's tiles and counts; read by glslang and by C++20 (namespace gno).
 //
+//   uint gnoSortTiles(uint length)         tiles of that many pairs
+//   uint gnoSortCounts(uint length)        words of the counts
+//
 // Space      none: no positions
 // Stages     any
 // Requires   #version 450, no extension

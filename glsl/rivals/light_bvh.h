@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 // gnomon rivals/light_bvh.h : a bounding volume hierarchy over the casters as the light sees them; read by glslang and by C++20 (namespace gno).
 //
+//   uint gnoLightBvhGroups(uint count)         work groups of GNO_LIGHT_BVH_GROUP
+//   uint gnoLightBvhNodes(uint references)     the most nodes that a hierarchy over so many references has
+//   uint gnoLightBvhNextRow(uint boxes)        boxes of the row above a row
+//   uint gnoLightBvhBoxes(uint references)     boxes of all rows
+//
 // Point light: a tree for each face of a cube around it. Directional light: one tree. A reference is a caster on one face. Its bounds are cells of
 // forest/cells.h at GNO_LIGHT_BVH_RESOLUTION, columns and rows both ends included, and the least depth.
 //

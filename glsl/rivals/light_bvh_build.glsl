@@ -46,7 +46,7 @@
 #if !defined(GNO_LIGHT_BVH_GRID) || !defined(GNO_LIGHT_BVH_MASKS) || !defined(GNO_LIGHT_BVH_SUMS) || !defined(GNO_LIGHT_BVH_HEADER) || !defined(GNO_LIGHT_BVH_LEVEL_TABLE) || \
     !defined(GNO_LIGHT_BVH_REFERENCES) || !defined(GNO_LIGHT_BVH_CAPACITY) || !defined(GNO_LIGHT_BVH_KEYS) || !defined(GNO_LIGHT_BVH_ORDER) || \
     !defined(GNO_LIGHT_BVH_BOXES) || !defined(GNO_LIGHT_BVH_SPLITS) || !defined(GNO_LIGHT_BVH_NODES) || !defined(GNO_LIGHT_BVH_PARENTS)
-#error "rivals/light_bvh_build.glsl: define the arrays of light_bvh.h or include rivals/light_bvh_bindings.glsl with GNO_LIGHT_BVH_BUILD 1 before this file"
+#error "rivals/light_bvh_build.glsl: define GNO_LIGHT_BVH_GRID, GNO_LIGHT_BVH_MASKS, GNO_LIGHT_BVH_SUMS, GNO_LIGHT_BVH_HEADER, GNO_LIGHT_BVH_LEVEL_TABLE, GNO_LIGHT_BVH_REFERENCES, GNO_LIGHT_BVH_CAPACITY, GNO_LIGHT_BVH_KEYS, GNO_LIGHT_BVH_ORDER, GNO_LIGHT_BVH_BOXES, GNO_LIGHT_BVH_SPLITS, GNO_LIGHT_BVH_NODES and GNO_LIGHT_BVH_PARENTS or include rivals/light_bvh_bindings.glsl with GNO_LIGHT_BVH_BUILD 1 before this file"
 #endif
 #ifndef GNO_LIGHT
 #error "rivals/light_bvh_build.glsl: define GNO_LIGHT, a homogeneous vec4"
