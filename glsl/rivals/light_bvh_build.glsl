@@ -21,7 +21,7 @@
 // Space      light coordinates
 // Stages     compute with storage buffers; gnoLightBvhCount and gnoLightBvhFirst hold barriers: all GNO_LIGHT_BVH_GROUP invocations of the work group call, in uniform control flow
 // Requires   #version 450, no extension, any subgroup width
-// Cost       58 dispatches of the collapse and the rows are short or empty; 8 rounds of sorting move 8 bytes per reference each
+// Cost       8 rounds of sorting move 8 bytes per reference each; most of the 56 dispatches of the collapse are empty
 //
 // Macro                        required  default  meaning
 // GNO_LIGHT_BVH_GRID           yes       -        GnoForestGrid, resolution GNO_LIGHT_BVH_RESOLUTION
