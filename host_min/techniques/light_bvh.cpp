@@ -16,11 +16,10 @@ public:
         info_.paper = "light-space bounding volume hierarchy, built after Karras 2012";
         info_.precisions = {Precision::conservative, Precision::certified};
         info_.effects = {"point_light", "directional_light", "spot_light", "open_casters"};
-        info_.settings = {
-            {"query", "with a stack, or by the parents' links alone", 0, 0, {"stack", "stackless"}, "stack"},
-            {"stack", "entries of the query's stack", 1, 64, {}, "32"},
-            {"pool", "references the pool holds; 0: as many as the frame needs, by one read-back", 0, 2097152, {}, "0"},
-            {"stage", "shader stage of the timed query", 0, 0, {"compute", "fragment"}, "compute"}};
+        info_.settings = {{"query", "with a stack, or by the parents' links alone", 0, 0, {"stack", "stackless"}, "stack"},
+                          {"stack", "entries of the query's stack", 1, 64, {}, "32"},
+                          {"pool", "references the pool holds; 0: as many as the frame needs, by one read-back", 0, 2097152, {}, "0"},
+                          {"stage", "shader stage of the timed query", 0, 0, {"compute", "fragment"}, "compute"}};
     }
 
     const TechniqueInfo& info() const override { return info_; }

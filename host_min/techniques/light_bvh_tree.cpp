@@ -43,7 +43,8 @@ LightBvhTree::LightBvhTree(const FrameInputs& inputs, const LightBvhOptions& opt
       nodes_(inputs.device(), 0),
       parents_(inputs.device(), 0) {
     if (groupsOf(inputs.triangleCount()) > kMostGroups)
-        throw InputError(fmt::format("{} triangles are over the light-space hierarchy's limit of {}", inputs.triangleCount(), kMostGroups * GNO_LIGHT_BVH_GROUP));
+        throw InputError(
+            fmt::format("{} triangles are over the light-space hierarchy's limit of {}", inputs.triangleCount(), kMostGroups * GNO_LIGHT_BVH_GROUP));
     const GnoForestGrid grid = forestGrid(inputs.light(), inputs.frame().low, inputs.frame().high, GNO_LIGHT_BVH_RESOLUTION);
     grid_.upload(std::span(&grid, 1));
     {
@@ -55,7 +56,8 @@ LightBvhTree::LightBvhTree(const FrameInputs& inputs, const LightBvhOptions& opt
     const uint32_t most = mostReferences(inputs.device().facts());
     if (references_ > most) throw InputError(fmt::format("the light-space hierarchy needs {} references, over the limit of {}", references_, most));
     if (options.pool > 0 && options.pool < references_)
-        throw InputError(fmt::format("--set pool={}: the light-space hierarchy needs {} references: use a larger pool, or 0", options.pool, references_));
+        throw InputError(
+            fmt::format("--set pool={}: the light-space hierarchy needs {} references: use a larger pool, or 0", options.pool, references_));
     const uint32_t capacity = options.pool > 0 ? options.pool : references_;
     const auto array = [&](uint64_t count, uint64_t bytes) { return Buffer(inputs.device(), count * bytes); };
     referenceList_ = array(capacity, sizeof(GnoLightBvhBox));
@@ -97,7 +99,9 @@ std::vector<Binding> LightBvhTree::buildResources() const {
     return all;
 }
 
-const ComputePass& LightBvhTree::pass(const std::string& name) const { return inputs_.passes().compute("rivals/examples/light_bvh_" + name + ".comp"); }
+const ComputePass& LightBvhTree::pass(const std::string& name) const {
+    return inputs_.passes().compute("rivals/examples/light_bvh_" + name + ".comp");
+}
 
 void LightBvhTree::recordCount(Recording& recording) const {
     const ExamplePush push = inputs_.push();
@@ -163,8 +167,8 @@ void LightBvhTree::recordTree(Recording& recording) const {
 NamedNumbers LightBvhTree::bytes() const {
     return {{"nodes", nodes_.bytes() + parents_.bytes()},
             {"grid", grid_.bytes() + header_.bytes()},
-            {"build", masks_.bytes() + sums_.bytes() + levels_.bytes() + referenceList_.bytes() + keys_.bytes() + order_.bytes() + otherKeys_.bytes() +
-                          otherOrder_.bytes() + counts_.bytes() + boxes_.bytes() + splits_.bytes()}};
+            {"build", masks_.bytes() + sums_.bytes() + levels_.bytes() + referenceList_.bytes() + keys_.bytes() + order_.bytes() +
+                          otherKeys_.bytes() + otherOrder_.bytes() + counts_.bytes() + boxes_.bytes() + splits_.bytes()}};
 }
 
 std::vector<DumpedBuffer> LightBvhTree::dump() const {

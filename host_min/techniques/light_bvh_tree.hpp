@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A light-space bounding volume hierarchy on the device, built with glsl/rivals/light_bvh_build.glsl and glsl/core/radix_sort.glsl as any engine would.
+// A light-space bounding volume hierarchy on the device, built with glsl/rivals/light_bvh_build.glsl and glsl/core/radix_sort.glsl as any engine
+// would.
 #pragma once
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// gnomon-light-bounds-mutants [NAME...]: bounds of casters in a light's cells, on the CPU. As the text stands no caster may be lost for a sample that it shadows,
-// by the definition in integers; every mutant that this program is linked with (or those named) has to lose one. Prints a table: mutant, killed by. Exit code 0:
-// all as it should be; 1: not; then it says which.
+// gnomon-light-bounds-mutants [NAME...]: bounds of casters in a light's cells, on the CPU. As the text stands no caster may be lost for a sample that
+// it shadows, by the definition in integers; every mutant that this program is linked with (or those named) has to lose one. Prints a table: mutant,
+// killed by. Exit code 0: all as it should be; 1: not; then it says which.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,8 @@ using host::cases::Random;
 
 constexpr uint32_t kScenes = 8000;
 
-/// A few casters of any size near the light, with one as a rule reaching over several faces of its cube, and samples on and beside the borders of their volumes.
+/// A few casters of any size near the light, with one as a rule reaching over several faces of its cube, and samples on and beside the borders of
+/// their volumes.
 test::Scene sceneOf(uint32_t seed) {
     Random random(seed);
     test::Scene scene;
@@ -81,7 +82,8 @@ int main(int argc, char** argv) {
             fmt::print("{:<50} {}\n", variant.name, loss.empty() ? "SURVIVES" : "killed by: " + loss);
         } else {
             faults += !loss.empty() || shadows < 10000;
-            fmt::print("{:<50} {}\n", variant.name, loss.empty() ? fmt::format("the text as it stands, {} shadows, none lost", shadows) : "FAILS: " + loss);
+            fmt::print("{:<50} {}\n", variant.name,
+                       loss.empty() ? fmt::format("the text as it stands, {} shadows, none lost", shadows) : "FAILS: " + loss);
         }
     }
     fmt::print("{} mutants, {} faults\n", mutants, faults);

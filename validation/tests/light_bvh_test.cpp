@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Technique light-bvh: the hierarchy that a device built, read back and held against the casters in double; its answers against the oracle's, exact, with any
-// stack and without one; pools that are full, too small and empty.
+// Technique light-bvh: the hierarchy that a device built, read back and held against the casters in double; its answers against the oracle's, exact,
+// with any stack and without one; pools that are full, too small and empty.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -49,7 +49,9 @@ test::Scene sceneOf(std::vector<host::Triangle> triangles, glm::vec4 light, size
     return scene;
 }
 
-int facingOf(const host::Triangle& t, glm::vec4 light) { return exact::orient3dLight(light, exact::fixed(t.a), exact::fixed(t.b), exact::fixed(t.c)); }
+int facingOf(const host::Triangle& t, glm::vec4 light) {
+    return exact::orient3dLight(light, exact::fixed(t.a), exact::fixed(t.b), exact::fixed(t.c));
+}
 
 uint64_t number(const host::NamedNumbers& list, const std::string& name) {
     for (const auto& [key, value] : list)
@@ -71,7 +73,9 @@ std::vector<T> part(const std::vector<host::DumpedBuffer>& dump, const std::stri
 struct Box {
     uint32_t x0 = 65535, y0 = 65535, x1 = 0, y1 = 0;
     float least = 3e38f;
-    [[nodiscard]] bool holds(const Box& other) const { return x0 <= other.x0 && y0 <= other.y0 && x1 >= other.x1 && y1 >= other.y1 && least <= other.least; }
+    [[nodiscard]] bool holds(const Box& other) const {
+        return x0 <= other.x0 && y0 <= other.y0 && x1 >= other.x1 && y1 >= other.y1 && least <= other.least;
+    }
     [[nodiscard]] bool holds(glm::uvec2 at) const { return at.x >= x0 && at.x <= x1 && at.y >= y0 && at.y <= y1; }
     void add(const Box& other) {
         *this = {std::min(x0, other.x0), std::min(y0, other.y0), std::max(x1, other.x1), std::max(y1, other.y1), std::min(least, other.least)};
@@ -115,8 +119,10 @@ struct Walk {
                 continue;
             }
             const uint32_t caster = link & GNO_LIGHT_BVH_CASTER;
-            if (caster >= triangles.size() || !leaves.emplace(std::pair(face, caster), box).second) say("a leaf that is there twice", index);
-            else if (facingOf(triangles[caster], light) != ((link & GNO_LIGHT_BVH_POSITIVE) != 0 ? 1 : -1)) say("a leaf with a wrong facing", index);
+            if (caster >= triangles.size() || !leaves.emplace(std::pair(face, caster), box).second)
+                say("a leaf that is there twice", index);
+            else if (facingOf(triangles[caster], light) != ((link & GNO_LIGHT_BVH_POSITIVE) != 0 ? 1 : -1))
+                say("a leaf with a wrong facing", index);
         }
         if (children < 4 && inner > 0) say("an inner child where there was room for its own children", index);
         if (children == 0) say("no children", index);
@@ -148,7 +154,9 @@ std::optional<glm::uvec3> cellOf(const GnoForestGrid& grid, glm::vec4 light, con
     return glm::uvec3(x, y, face);
 }
 
-double depthOf(glm::vec4 light, const glm::dvec3& p) { return light.w == 0 ? 4 - glm::dot(glm::dvec3(light), p) : glm::length(p - glm::dvec3(light)); }
+double depthOf(glm::vec4 light, const glm::dvec3& p) {
+    return light.w == 0 ? 4 - glm::dot(glm::dvec3(light), p) : glm::length(p - glm::dvec3(light));
+}
 
 /// Builds one hierarchy and checks all of it; returns the number of its references.
 uint64_t expectSound(const std::vector<host::Triangle>& triangles, glm::vec4 light, uint32_t pool = 0) {
@@ -200,7 +208,8 @@ uint64_t expectSound(const std::vector<host::Triangle>& triangles, glm::vec4 lig
                 ADD_FAILURE() << "caster " << caster << " has no reference on face " << cell->z << " (seed " << kSeed << ")";
                 return header.references;
             }
-            EXPECT_TRUE(leaf->second.holds(glm::uvec2(*cell))) << "caster " << caster << ", cell " << cell->x << " " << cell->y << ", face " << cell->z;
+            EXPECT_TRUE(leaf->second.holds(glm::uvec2(*cell)))
+                << "caster " << caster << ", cell " << cell->x << " " << cell->y << ", face " << cell->z;
             EXPECT_LE(double(leaf->second.least), depthOf(light, on) + 1e-9) << "caster " << caster;
         }
     }
@@ -230,7 +239,8 @@ void expectTheOracles(const test::Scene& scene, const Strings& settings = {}) {
     const host::OracleAnswer want = test::ask(scene);
     for (const Precision precision : {Precision::certified, Precision::conservative}) {
         const test::Wrong wrong = test::compare(test::run(scene, "light-bvh", precision, settings), want);
-        EXPECT_EQ(wrong.wrong, 0u) << name(precision) << ", leaks " << wrong.leaks << ", first wrong: sample " << wrong.first << " (seed " << kSeed << ")";
+        EXPECT_EQ(wrong.wrong, 0u) << name(precision) << ", leaks " << wrong.leaks << ", first wrong: sample " << wrong.first << " (seed " << kSeed
+                                   << ")";
     }
 }
 
@@ -281,7 +291,8 @@ TEST(LightBvh, NobodyCasts) {
 TEST(LightBvh, AroundTheLight) {
     std::vector<host::Triangle> box;
     host::cases::addBox(box, {-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f});
-    for (const glm::vec4 light : {glm::vec4(0, 0, 0, 1), glm::vec4(0.5f, 0, 0, 1), glm::vec4(0.5f, 0.5f, 0.5f, 1), glm::vec4(0, 0, 0.5f - 0x1p-30f, 1), kDirection}) {
+    for (const glm::vec4 light :
+         {glm::vec4(0, 0, 0, 1), glm::vec4(0.5f, 0, 0, 1), glm::vec4(0.5f, 0.5f, 0.5f, 1), glm::vec4(0, 0, 0.5f - 0x1p-30f, 1), kDirection}) {
         expectSound(box, light);
         expectTheOracles(sceneOf(box, light));
     }
@@ -294,13 +305,14 @@ TEST(LightBvh, PoolExactlyFullAndOneTooSmall) {
         const auto references = uint32_t(number(plain.counters.more, "references"));
         EXPECT_EQ(expectSound(scene.triangles, light, references), references);
         for (const uint32_t pool : {references, references + 1, 4096u})
-            EXPECT_EQ(test::run(scene, "light-bvh", Precision::certified, Strings{fmt::format("pool={}", pool)}).visibility, plain.visibility) << pool;
+            EXPECT_EQ(test::run(scene, "light-bvh", Precision::certified, Strings{fmt::format("pool={}", pool)}).visibility, plain.visibility)
+                << pool;
         try {
             test::run(scene, "light-bvh", Precision::certified, Strings{fmt::format("pool={}", references - 1)});
             ADD_FAILURE() << "a pool that is too small was taken";
         } catch (const host::InputError& error) {
-            EXPECT_EQ(std::string(error.what()),
-                      fmt::format("--set pool={}: the light-space hierarchy needs {} references: use a larger pool, or 0", references - 1, references));
+            EXPECT_EQ(std::string(error.what()), fmt::format("--set pool={}: the light-space hierarchy needs {} references: use a larger pool, or 0",
+                                                             references - 1, references));
         }
     }
 }

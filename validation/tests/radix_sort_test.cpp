@@ -30,7 +30,8 @@ Pairs sortedByDevice(const std::vector<uint32_t>& keys) {
     words.references = length;
     header.upload(std::as_bytes(std::span(&words, 1)));
     counts.fill(kPoison);
-    host::Buffer list[2][2] = {{{device, 4 * uint64_t(length)}, {device, 4 * uint64_t(length)}}, {{device, 4 * uint64_t(length)}, {device, 4 * uint64_t(length)}}};
+    host::Buffer list[2][2] = {{{device, 4 * uint64_t(length)}, {device, 4 * uint64_t(length)}},
+                               {{device, 4 * uint64_t(length)}, {device, 4 * uint64_t(length)}}};
     for (auto& side : list)
         for (host::Buffer& buffer : side) buffer.fill(kPoison);
     std::vector<uint32_t> order(length);
@@ -43,14 +44,16 @@ Pairs sortedByDevice(const std::vector<uint32_t>& keys) {
     for (uint32_t round = 0; round < GNO_SORT_ROUNDS; ++round) {
         const auto& from = list[round % 2];
         const auto& to = list[1 - round % 2];
-        const std::vector<host::Binding> all{{"gnoLightBvhHeader", &header},     {"gnoSortCountWords", &counts}, {"gnoLightBvhKeys", &from[0]},
-                                             {"gnoLightBvhOrder", &from[1]},     {"gnoSortedKeys", &to[0]},      {"gnoSortedOrder", &to[1]}};
+        const std::vector<host::Binding> all{{"gnoLightBvhHeader", &header}, {"gnoSortCountWords", &counts}, {"gnoLightBvhKeys", &from[0]},
+                                             {"gnoLightBvhOrder", &from[1]}, {"gnoSortedKeys", &to[0]},      {"gnoSortedOrder", &to[1]}};
         const uint32_t shift = 4 * round;
         const auto push = std::as_bytes(std::span(&shift, 1));
         for (const char* step : {"count", "prefix", "scatter"}) {
             recording.barrier();
             const bool one = std::string(step) == "prefix";
-            test::passes().compute(fmt::format("rivals/examples/light_bvh_sort_{}.comp", step)).dispatch(recording, all, push, one ? 1 : gnoSortTiles(length));
+            test::passes()
+                .compute(fmt::format("rivals/examples/light_bvh_sort_{}.comp", step))
+                .dispatch(recording, all, push, one ? 1 : gnoSortTiles(length));
         }
     }
     recording.submit();
