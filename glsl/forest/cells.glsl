@@ -2,7 +2,8 @@
 // gnomon forest/cells.glsl : which cell of the light's grid a view sample lies in, and which cells a caster's shadow volume may meet.
 //
 //   vec3  gnoCellPlace(vec4 light, GnoForestGrid grid, uint face, vec3 q)      on a face: x and y over z, z > 0 in front of it; directional: z = 1
-//   uint  gnoCellOf(vec4 light, GnoForestGrid grid, vec3 q)                    the cell of a point
+//   uvec3 gnoCellAt(vec4 light, GnoForestGrid grid, vec3 q)                    the cell of a point: column, row, face
+//   uint  gnoCellOf(vec4 light, GnoForestGrid grid, vec3 q)                    its index; resolution up to 16384
 //   GnoCellVolume gnoCellVolume(vec4 light, GnoCaster t, int facing)           what the functions below want to know of a caster
 //   GnoCellVolume gnoCellSight(vec4 light, GnoCaster t)                        the same without planes, for gnoCellRectangle alone: cheaper
 //   uvec4 gnoCellRectangle(vec4 light, GnoForestGrid grid, uint face, GnoCellVolume v)           columns x .. z-1, rows y .. w-1: no other cell of the face can be met
@@ -20,6 +21,7 @@
 //    errs by 2u, the division by the step by 5u, in units of x/z: a point of cell i has exactly x/z in [bound(i) - 2E, bound(i+1) + 2E], also where the index was clamped.
 //    Directional: x = U.p errs by 4uS (S = GNO_SCENE_RADIUS), the subtraction by 2uS, the division by 5uS: less than 2ES in all. The
 //    cells at the border hold what lies beyond it, too: casters and samples alike are clamped into them, and their corners lie at -2 and 2, farther than any sample.
+//    None of these errors depends on the resolution: they are counted in x/z, not in cells. Up to 65536 cells an index is exact in fp32 and fits 16 bits.
 // 2. A cell's pyramid (prism). Its corners are taken at bound - 6E and bound + 6E (directional: 6ES), rounded: it holds every point of the cell.
 // 3. Rectangle. Where z > 0 at all three vertices (a difference of two numbers has the exact sign) the volume has exactly x/z between the vertices' least and greatest,
 //    whose computed values err by 5u of themselves. If the volume meets cell i, the least is below bound(i+1) + 2E, computed below bound(i+1) + 3E; it is looked up
@@ -55,7 +57,7 @@ GNO_INLINE uint gnoCellIndex_(float place_, float least_, float step_, uint reso
     return uint(min(at_, float(resolution_ - 1u)));
 }
 
-GNO_INLINE uint gnoCellOf(vec4 light_, GnoForestGrid grid_, vec3 q_) {
+GNO_INLINE uvec3 gnoCellAt(vec4 light_, GnoForestGrid grid_, vec3 q_) {
     vec3 far_ = abs(q_);
     uint face_ = 0u;
     if (light_.w != 0.0f) {
@@ -64,7 +66,12 @@ GNO_INLINE uint gnoCellOf(vec4 light_, GnoForestGrid grid_, vec3 q_) {
     vec3 place_ = gnoCellPlace(light_, grid_, face_, q_);
     uint x_ = gnoCellIndex_(place_.x / place_.z, grid_.across.w, grid_.stepAcross, grid_.resolution);
     uint y_ = gnoCellIndex_(place_.y / place_.z, grid_.along.w, grid_.stepAlong, grid_.resolution);
-    return (face_ * grid_.resolution + y_) * grid_.resolution + x_;
+    return uvec3(x_, y_, face_);
+}
+
+GNO_INLINE uint gnoCellOf(vec4 light_, GnoForestGrid grid_, vec3 q_) {
+    uvec3 at_ = gnoCellAt(light_, grid_, q_);
+    return (at_.z * grid_.resolution + at_.y) * grid_.resolution + at_.x;
 }
 
 GNO_INLINE float gnoCellSlack_(vec4 light_) { return light_.w == 0.0f ? 6.0f * GNO_BAND * GNO_SCENE_RADIUS : 6.0f * GNO_BAND; }

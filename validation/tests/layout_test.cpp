@@ -9,6 +9,7 @@
 #include "glsl/clusters/cluster.h"
 #include "glsl/forest/cells.h"
 #include "glsl/rivals/light_grid.h"
+#include "glsl/rivals/light_bvh.h"
 #include "glsl/shadow_map/view.h"
 #include "glsl/top/node.h"
 #include "host_min/frame/inputs.hpp"
@@ -223,6 +224,32 @@ TEST(Layout, GridCellsPairsAndHeaderOfAForest) {
     EXPECT_EQ(offsetof(GnoForestHeader, one5), offsetof(GnoForestHeader, groupsOfMany) + 8);
     EXPECT_EQ(gnoCellCount(64, 6), 24576u);
     EXPECT_EQ(gnoCellCount(1024, 6), 6u << 20);
+TEST(Layout, ArraysOfALightSpaceHierarchy) {
+    const std::vector<Member> header{MEMBER(GnoLightBvhHeader, groupsOfReferences), MEMBER(GnoLightBvhHeader, one0), MEMBER(GnoLightBvhHeader, one1),
+                                     MEMBER(GnoLightBvhHeader, references),         MEMBER(GnoLightBvhHeader, groupsOfTiles),
+                                     MEMBER(GnoLightBvhHeader, one2),               MEMBER(GnoLightBvhHeader, one3), MEMBER(GnoLightBvhHeader, roots)};
+    const std::vector<Member> grid{MEMBER(GnoForestGrid, across),    MEMBER(GnoForestGrid, along),      MEMBER(GnoForestGrid, stepAcross),
+                                   MEMBER(GnoForestGrid, stepAlong), MEMBER(GnoForestGrid, resolution), MEMBER(GnoForestGrid, faces)};
+    const std::vector<Member> box{MEMBER(GnoLightBvhBox, low), MEMBER(GnoLightBvhBox, high), MEMBER(GnoLightBvhBox, least), MEMBER(GnoLightBvhBox, link)};
+    const std::vector<Member> node{MEMBER(GnoLightBvhNode, low), MEMBER(GnoLightBvhNode, high), MEMBER(GnoLightBvhNode, least), MEMBER(GnoLightBvhNode, link)};
+    const std::vector<Member> level{MEMBER(GnoLightBvhLevel, groups), MEMBER(GnoLightBvhLevel, one0), MEMBER(GnoLightBvhLevel, one1),
+                                    MEMBER(GnoLightBvhLevel, count), MEMBER(GnoLightBvhLevel, first)};
+    for (const std::string shader : {"count.comp", "emit.comp", "split.comp", "query_stack.comp", "query_stackless.frag"}) {
+        SCOPED_TRACE(shader);
+        const Reflection reflection("rivals/examples/light_bvh_" + shader);
+        expectSame(reflection.member("gnoLightBvhGrid", 0), grid, sizeof(GnoForestGrid));
+    }
+    const Reflection collapse("rivals/examples/light_bvh_collapse.comp"), split("rivals/examples/light_bvh_split.comp");
+    expectSame(split.member("gnoLightBvhHeader", 0), header, sizeof(GnoLightBvhHeader));
+    expectSame(split.member("gnoLightBvhBoxes_", 0), box, sizeof(GnoLightBvhBox));
+    expectSame(collapse.member("gnoLightBvhNode", 0), node, sizeof(GnoLightBvhNode));
+    expectSame(collapse.member("gnoLightBvhLevels", 0), level, sizeof(GnoLightBvhLevel));
+    expectSame(Reflection("rivals/examples/light_bvh_query_stack.frag").member("gnoLightBvhNode", 0), node, sizeof(GnoLightBvhNode));
+    EXPECT_EQ(split.stride("gnoLightBvhBoxes_"), sizeof(GnoLightBvhBox));
+    EXPECT_EQ(collapse.stride("gnoLightBvhNode"), sizeof(GnoLightBvhNode));
+    EXPECT_EQ(collapse.stride("gnoLightBvhLevels"), sizeof(GnoLightBvhLevel));
+    for (const size_t offset : {offsetof(GnoLightBvhHeader, groupsOfReferences), offsetof(GnoLightBvhHeader, groupsOfTiles), sizeof(GnoLightBvhLevel)})
+        EXPECT_EQ(offset % 4, 0u) << "an indirect dispatch reads it";
 }
 
 TEST(Layout, ViewsOfAShadowMap) {
