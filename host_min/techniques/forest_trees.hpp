@@ -3,9 +3,9 @@
 #pragma once
 #include <vector>
 
-#include "glsl/forest/cells.h"
 #include "glsl/top/node.h"
 #include "host_min/output/record.hpp"
+#include "host_min/techniques/cell_assignment.hpp"
 #include "host_min/techniques/technique.hpp"
 #include "host_min/techniques/top_tree.hpp"
 
@@ -23,9 +23,6 @@ struct ForestOptions {
     bool counters = true;
 };
 
-/// The contract's grid for a light: six faces around a point, or one face that holds the box from `low` to `high` (casters) and all samples.
-GnoForestGrid forestGrid(glm::vec4 light, glm::vec3 low, glm::vec3 high, uint32_t resolution);
-
 class ForestTrees {
 public:
     /// Throws InputError when an array would pass the device's limits, or the given pool is too small.
@@ -34,7 +31,7 @@ public:
     [[nodiscard]] std::vector<Binding> resources() const;  ///< what a query binds, its own images left out
     [[nodiscard]] const std::vector<RecordPass>& passes() const { return passes_; }
     [[nodiscard]] const TopBuildCounters& counters() const { return counters_; }
-    [[nodiscard]] uint32_t resolution() const { return resolution_; }
+    [[nodiscard]] uint32_t resolution() const { return assignment_.resolution(); }
     [[nodiscard]] const GnoForestHeader& found() const { return found_; }  ///< pairs, used cells, casters with some and with many cells
     [[nodiscard]] NamedNumbers bytes() const;
     [[nodiscard]] std::vector<DumpedBuffer> dump() const;
@@ -44,14 +41,12 @@ private:
     void chooseResolution();
     void recordAssignment(Recording& recording) const;
     void recordTrees(Recording& recording, const Buffer* totals) const;
-    void step(Recording& recording, uint32_t which) const;
-    [[nodiscard]] const ComputePass& pass(const std::string& name, Specialization constants = {}) const;
 
     const FrameInputs& inputs_;
     ForestOptions options_;
-    uint32_t resolution_ = 0, cellCount_ = 0;
+    CellAssignment assignment_;
     GnoForestHeader found_{};  ///< what the assignment counted
-    Buffer grid_, cells_, header_, list_, few_, pool_, planes_, links_, slabs_;
+    Buffer planes_, links_, slabs_;
     std::vector<RecordPass> passes_;
     TopBuildCounters counters_;
 };

@@ -7,7 +7,7 @@
 
 #include "glsl/core/radix_sort.h"
 #include "host_min/error.hpp"
-#include "host_min/techniques/forest_trees.hpp"
+#include "host_min/techniques/cell_assignment.hpp"
 #include "host_min/techniques/measure.hpp"
 
 namespace gno::host {

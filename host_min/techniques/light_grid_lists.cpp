@@ -6,13 +6,10 @@
 #include <algorithm>
 
 #include "host_min/error.hpp"
-#include "host_min/techniques/forest_trees.hpp"
 #include "host_min/techniques/measure.hpp"
 
 namespace gno::host {
 namespace {
-
-constexpr uint32_t kMostGroups = 65535;  // the least maxComputeWorkGroupCount that Vulkan allows
 
 uint32_t groupsOf(uint32_t count) { return std::max(1u, (count + GNO_LIGHT_GRID_GROUP - 1) / GNO_LIGHT_GRID_GROUP); }
 
@@ -31,24 +28,16 @@ void checkPool(const DeviceFacts& device, const char* what, uint32_t needed, uin
 LightGridLists::LightGridLists(const FrameInputs& inputs, const LightGridOptions& options)
     : inputs_(inputs),
       options_(options),
-      cellCount_(gnoCellCount(options.resolution, inputs.light().w != 0 ? 6 : 1)),
-      grid_(inputs.device(), sizeof(GnoForestGrid), vk::BufferUsageFlagBits::eUniformBuffer),
-      cells_(inputs.device(), uint64_t(cellCount_) * sizeof(GnoForestCell)),
-      forestHeader_(inputs.device(), sizeof(GnoForestHeader), vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer),
-      list_(inputs.device(), 4 * uint64_t(inputs.triangleCount())),
-      few_(inputs.device(), sizeof(GnoForestFew) * uint64_t(inputs.triangleCount())),
-      pool_(inputs.device(), 8),
-      lists_(inputs.device(), uint64_t(gnoLightGridLists(cellCount_, 0)) * sizeof(GnoLightGridList)),
+      assignment_(inputs, "light grid", options.viewCull, options.cover, 0),
+      lists_(inputs.device(), 8),
       depths_(inputs.device(), 4),
       itemPool_(inputs.device(), 8),
       header_(inputs.device(), sizeof(GnoLightGridHeader), vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer),
       planes_(inputs.device(), options.planes ? 64 * uint64_t(inputs.triangleCount()) : 0) {
     const Device& device = inputs.device();
-    if (groupsOf(inputs.triangleCount()) > kMostGroups)
-        throw InputError(
-            fmt::format("{} triangles are over the light grid's limit of {}", inputs.triangleCount(), kMostGroups * GNO_LIGHT_GRID_GROUP));
-    const GnoForestGrid grid = forestGrid(inputs.light(), inputs.frame().low, inputs.frame().high, options.resolution);
-    grid_.upload(std::span(&grid, 1));
+    assignment_.setResolution(options.resolution);
+    const uint32_t cellCount = assignment_.cellCount();
+    lists_ = Buffer(device, uint64_t(gnoLightGridLists(cellCount, 0)) * sizeof(GnoLightGridList));
     const auto submit = [&](auto... parts) {
         Recording recording(device);
         (parts(recording), ...);
@@ -58,11 +47,11 @@ LightGridLists::LightGridLists(const FrameInputs& inputs, const LightGridOptions
     const auto counts = [&](Recording& recording) { recordCounts(recording); };
 
     submit(cells);  // first read-back: pairs, and cells that are to be nested
-    pairs_ = forestHeader_.downloadAs<GnoForestHeader>().front().pairs;
+    pairs_ = assignment_.header().downloadAs<GnoForestHeader>().front().pairs;
     nests_ = header_.downloadAs<GnoLightGridHeader>().front().nests;
     checkPool(device.facts(), "pairs of cell and caster", pairs_, options.pool, options.resolution);
-    pool_ = Buffer(device, uint64_t(std::max(options.pool, pairs_)) * sizeof(GnoForestPair));
-    lists_ = Buffer(device, (uint64_t(gnoLightGridLists(cellCount_, 0)) + uint64_t(GNO_LIGHT_GRID_GROUP) * nests_) * sizeof(GnoLightGridList));
+    assignment_.setPool(std::max(options.pool, pairs_));
+    lists_ = Buffer(device, (uint64_t(gnoLightGridLists(cellCount, 0)) + uint64_t(GNO_LIGHT_GRID_GROUP) * nests_) * sizeof(GnoLightGridList));
     depths_ = Buffer(device, uint64_t(GNO_LIGHT_GRID_GROUP) * nests_ * 4);
 
     submit(cells, counts);  // second: items of all lists
@@ -85,17 +74,17 @@ LightGridLists::LightGridLists(const FrameInputs& inputs, const LightGridOptions
 }
 
 std::vector<Binding> LightGridLists::resources() const {
-    return {{"gnoCasters", &inputs_.casters()}, {"gnoStates", &inputs_.states()}, {"gnoSamples", &inputs_.samples()},  {"gnoForestGrid", &grid_},
-            {"gnoForestCells", &cells_},        {"gnoForestPairs", &pool_},       {"gnoForestHeader", &forestHeader_}, {"gnoList", &list_},
-            {"gnoGridLists", &lists_},          {"gnoGridItems", &itemPool_},     {"gnoGridDepths", &depths_},         {"gnoGridHeader", &header_},
-            {"gnoGridPlanes", &planes_},        {"gnoForestFew", &few_}};
+    auto all = assignment_.resources();
+    all.insert(all.end(), {{"gnoGridLists", &lists_},
+                           {"gnoGridItems", &itemPool_},
+                           {"gnoGridDepths", &depths_},
+                           {"gnoGridHeader", &header_},
+                           {"gnoGridPlanes", &planes_}});
+    return all;
 }
 
 const ComputePass& LightGridLists::pass(const std::string& shader, Specialization constants) const {
-    // What a shader does not use would only make another pipeline of it.
-    const bool assigns = shader.starts_with("forest/examples/assign") || shader == "forest/examples/sort.comp";
-    if (assigns || shader.ends_with("_pairs.comp")) constants[30] = options_.viewCull;
-    if (assigns) constants[31] = options_.cover;
+    if (shader.ends_with("_pairs.comp")) constants[30] = options_.viewCull;
     if (shader.ends_with("_open.comp")) constants[33] = options_.nest;
     return inputs_.passes().compute(shader, constants);
 }
@@ -113,28 +102,16 @@ void LightGridLists::runIndirect(Recording& recording, const std::string& shader
     pass(shader, std::move(constants)).dispatchIndirect(recording, resources(), std::as_bytes(std::span(&push, 1)), header, offset);
 }
 
-void LightGridLists::assign(Recording& recording, uint32_t step) const {
-    runIndirect(recording, "forest/examples/assign_many.comp", forestHeader_, offsetof(GnoForestHeader, groupsOfMany), {{32, step}});
-    runIndirect(recording, "forest/examples/assign_some.comp", forestHeader_, offsetof(GnoForestHeader, groupsOfSome), {{32, step}});
-    if (step != 3) run(recording, "forest/examples/assign_few.comp", groupsOf(inputs_.triangleCount()), {{32, step}});
-}
-
 void LightGridLists::recordCells(Recording& recording) const {
-    const ExamplePush push = inputs_.push();
     recording.beginPass("light_grid_setup_depth");
-    run(recording, "forest/examples/reset.comp", groupsOf(cellCount_));
+    assignment_.recordDepth(recording);
     run(recording, "rivals/examples/light_grid_reset.comp", 1);
     recording.barrier();
-    if (options_.viewCull)
-        pass("forest/examples/depth.comp", {})
-            .dispatch(recording, resources(), std::as_bytes(std::span(&push, 1)), (inputs_.width() + 31) / 32, (inputs_.height() + 15) / 16);
-    run(recording, "forest/examples/sort.comp", groupsOf(inputs_.triangleCount()));
-    run(recording, "forest/examples/sizes.comp", 1);
+    assignment_.recordSort(recording);
     recording.endPass();
     recording.beginPass("light_grid_setup_count");
-    if (options_.cover) assign(recording, 3);
-    assign(recording, 4);
-    run(recording, "rivals/examples/light_grid_open.comp", groupsOf(cellCount_));
+    assignment_.recordCount(recording);
+    run(recording, "rivals/examples/light_grid_open.comp", groupsOf(assignment_.cellCount()));
     run(recording, "rivals/examples/light_grid_sizes.comp", 1);
     recording.endPass();
 }
@@ -142,7 +119,7 @@ void LightGridLists::recordCells(Recording& recording) const {
 void LightGridLists::recordCounts(Recording& recording) const {
     const ExamplePush push = inputs_.push();
     recording.beginPass("light_grid_setup_pairs");
-    assign(recording, 6);
+    assignment_.recordEmit(recording);
     recording.endPass();
     recording.beginPass("light_grid_setup_nest");
     if (nests_ > 0) {
@@ -166,12 +143,12 @@ void LightGridLists::recordItems(Recording& recording) const {
 
 NamedNumbers LightGridLists::bytes() const {
     return {{"lists", lists_.bytes()},   {"items", itemPool_.bytes()},
-            {"planes", planes_.bytes()}, {"cells", cells_.bytes() + depths_.bytes() + grid_.bytes() + forestHeader_.bytes() + header_.bytes()},
-            {"pairs", pool_.bytes()},    {"casters", list_.bytes() + few_.bytes()}};
+            {"planes", planes_.bytes()}, {"cells", assignment_.cellBytes() + depths_.bytes() + header_.bytes()},
+            {"pairs", assignment_.pool().bytes()},    {"casters", assignment_.casterBytes()}};
 }
 
 std::vector<DumpedBuffer> LightGridLists::dump() const {
-    return {{"grid", "GnoForestGrid", grid_.download()},
+    return {{"grid", "GnoForestGrid", assignment_.grid().download()},
             {"lists", "GnoLightGridList list[]", lists_.download()},
             {"items", "GnoLightGridItem item[]", itemPool_.download()},
             {"light_grid_header", "GnoLightGridHeader", header_.download()}};

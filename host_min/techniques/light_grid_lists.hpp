@@ -3,9 +3,9 @@
 #pragma once
 #include <vector>
 
-#include "glsl/forest/cells.h"
 #include "glsl/rivals/light_grid.h"
 #include "host_min/output/record.hpp"
+#include "host_min/techniques/cell_assignment.hpp"
 #include "host_min/techniques/technique.hpp"
 
 namespace gno::host {
@@ -37,15 +37,14 @@ private:
     void recordCells(Recording& recording) const;
     void recordCounts(Recording& recording) const;
     void recordItems(Recording& recording) const;
-    void assign(Recording& recording, uint32_t step) const;
     void run(Recording& recording, const std::string& shader, uint32_t groups, Specialization constants = {}) const;
     void runIndirect(Recording& recording, const std::string& shader, const Buffer& header, uint64_t offset, Specialization constants = {}) const;
     [[nodiscard]] const ComputePass& pass(const std::string& shader, Specialization constants) const;
 
     const FrameInputs& inputs_;
     LightGridOptions options_;
-    uint32_t cellCount_ = 0, pairs_ = 0, items_ = 0, nests_ = 0;
-    Buffer grid_, cells_, forestHeader_, list_, few_, pool_;  // of the assignment
+    CellAssignment assignment_;
+    uint32_t pairs_ = 0, items_ = 0, nests_ = 0;
     Buffer lists_, depths_, itemPool_, header_, planes_;
     std::vector<RecordPass> passes_;
 };

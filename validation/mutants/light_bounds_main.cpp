@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "glsl/rivals/light_bvh.h"
-#include "host_min/techniques/forest_trees.hpp"
+#include "host_min/techniques/cell_assignment.hpp"
 #include "validation/hard_cases/scene_maker.hpp"
 #include "validation/support/exact_reference.hpp"
 #include "validation/support/light_bounds_on_cpu.hpp"

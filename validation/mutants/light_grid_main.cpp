@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "host_min/techniques/forest_trees.hpp"
+#include "host_min/techniques/cell_assignment.hpp"
 #include "validation/support/exact_reference.hpp"
 #include "validation/support/light_grid_on_cpu.hpp"
 #include "validation/tests/oracle_cases.hpp"
