@@ -8,6 +8,7 @@
 //   GnoCellVolume gnoCellSight(vec4 light, GnoCaster t)                        the same without planes, for gnoCellRectangle alone: cheaper
 //   uvec4 gnoCellRectangle(vec4 light, GnoForestGrid grid, uint face, GnoCellVolume v)           columns x .. z-1, rows y .. w-1: no other cell of the face can be met
 //   bool  gnoCellMissed(vec4 light, GnoForestGrid grid, uint face, uvec2 at, GnoCellVolume v)    true: the shadow volume certainly meets no point of the cell
+//   uint  gnoForestRoot(GnoForestCell cell, float depth)                       root of the tree to ask for a point of the cell at that gnoLightDepth, or GNO_TOP_IN_SHADOW (5)
 //   bool  gnoCellCovered(vec4 light, GnoForestGrid grid, uint face, uvec2 at, GnoCellVolume v)   true: see 5
 //
 // Space      light coordinates, q = gnoFromLight(p); facing = gnoFacing(light, t), never 0
@@ -36,7 +37,8 @@
 //    normal in the grid's axes errs by 4u each, times at most 2S, so 16uS more than 6ES, and as much when a sign near zero is wrong: 10ES.
 // 5. Covered. All four corners on the negative side of all three lateral planes by that margin, none of them a substitute (it does not bound the caster): each direction of
 //    the cell passes through the open caster. A view sample of the cell is then behind the caster, in its shadow; or it is in front of it or on it, and no farther
-//    from the light than `most`. A caster that starts beyond `most` decides neither, as long as the covering one stays in the cell. (A sample that lies on the covering
+//    from the light than `most`. A caster that starts beyond `most` decides neither, as long as the covering one stays in the cell. A sample whose computed depth is beyond `most` is strictly behind the covering caster and not on it:
+//    in its shadow. (A sample that lies on the covering
 //    caster is on the light's side of it: gnoMakeViewSample.)
 #ifndef GNO_FOREST_CELLS_GLSL
 #define GNO_FOREST_CELLS_GLSL
@@ -207,6 +209,8 @@ GNO_INLINE bool gnoCellCovered(vec4 light_, GnoForestGrid grid_, uint face_, uve
     return gnoCellLeastSide_(light_, grid_, face_, at_, v_.ab, -1.0f) > margin_ && gnoCellLeastSide_(light_, grid_, face_, at_, v_.bc, -1.0f) > margin_ &&
            gnoCellLeastSide_(light_, grid_, face_, at_, v_.ca, -1.0f) > margin_;
 }
+
+GNO_INLINE uint gnoForestRoot(GnoForestCell cell_, float depth_) { return floatBitsToUint(depth_) > cell_.cover ? GNO_TOP_IN_SHADOW : cell_.root; }
 
 GNO_NAMESPACE_END
 #endif

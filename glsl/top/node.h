@@ -28,6 +28,7 @@
 GNO_NAMESPACE_BEGIN
 
 GNO_CONST uint GNO_TOP_NONE = 0xFFFFFFFFu;  // no child, no ancestor, empty tree
+GNO_CONST uint GNO_TOP_IN_SHADOW = 0xFFFFFFFEu;  // in place of a root (GNO_TOP_FIND_ROOT): the point is in shadow, no tree need be asked
 
 GNO_CONST uint GNO_TOP_SUBSTITUTE = 4u;     // << place, in the aux of a volume's third node
 GNO_CONST uint GNO_TOP_SUBSTITUTES = 28u;   // any of them

@@ -30,6 +30,7 @@ GNO_INLINE bool gnoTopQueryHybrid(GnoViewSample s_) {
     uint resume_ = GNO_TOP_NONE;  // the node at which the stack takes over again; GNO_TOP_NONE: it is in use
     bool twice_ = false;          // this node's intersection child was visited already
     uint index_ = GNO_TOP_FIND_ROOT(point_.q);
+    if (index_ == GNO_TOP_IN_SHADOW) return true;
     while (index_ != GNO_TOP_NONE) {
         GnoTopNode node_ = GNO_TOP_LOAD_NODE(index_);
         GnoTopSlab slab_ = gnoTopNoSlab_();
@@ -54,7 +55,7 @@ GNO_INLINE bool gnoTopQueryHybrid(GnoViewSample s_) {
             }
             twice_ = false;
             next_ = gnoTopNext_(point_, node_, slab_, index_, side_);
-            if (next_ == GNO_TOP_SHADOW_) return true;
+            if (next_ == GNO_TOP_IN_SHADOW) return true;
         }
         if (next_ == GNO_TOP_NONE) {
             if (resume_ != GNO_TOP_NONE) {

@@ -31,6 +31,7 @@ GNO_INLINE bool gnoTopQueryStack(GnoViewSample s_) {
     uint used_ = 0u;
     bool lost_ = false;
     uint index_ = GNO_TOP_FIND_ROOT(point_.q);
+    if (index_ == GNO_TOP_IN_SHADOW) return true;
     while (index_ != GNO_TOP_NONE) {
         GnoTopNode node_ = GNO_TOP_LOAD_NODE(index_);
         GnoTopSlab slab_ = gnoTopNoSlab_();
@@ -50,7 +51,7 @@ GNO_INLINE bool gnoTopQueryStack(GnoViewSample s_) {
                 }
             }
             next_ = gnoTopNext_(point_, node_, slab_, index_, side_);
-            if (next_ == GNO_TOP_SHADOW_) return true;
+            if (next_ == GNO_TOP_IN_SHADOW) return true;
         }
         if (next_ == GNO_TOP_NONE && used_ > 0u) {
             --used_;

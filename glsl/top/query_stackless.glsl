@@ -22,6 +22,7 @@ GNO_INLINE bool gnoTopQueryStackless(GnoViewSample s_) {
     GnoTopPoint_ point_ = gnoTopPoint_(s_);
     bool twice_ = false;  // this node's intersection child was visited already
     uint index_ = GNO_TOP_FIND_ROOT(point_.q);
+    if (index_ == GNO_TOP_IN_SHADOW) return true;
     while (index_ != GNO_TOP_NONE) {
         GnoTopNode node_ = GNO_TOP_LOAD_NODE(index_);
         GnoTopSlab slab_ = gnoTopNoSlab_();
@@ -36,7 +37,7 @@ GNO_INLINE bool gnoTopQueryStackless(GnoViewSample s_) {
             }
             twice_ = false;
             next_ = gnoTopNext_(point_, node_, slab_, index_, side_);
-            if (next_ == GNO_TOP_SHADOW_) return true;
+            if (next_ == GNO_TOP_IN_SHADOW) return true;
         }
         if (next_ == GNO_TOP_NONE) {
             next_ = GNO_TOP_LOAD_ANCESTOR(index_);

@@ -21,7 +21,7 @@
 // GNO_TOP_SLAB                 no        -                        defined: the tree has slabs, children that cannot matter are not loaded; 0: not yet, though (may be a specialization constant)
 // GNO_TOP_LOAD_SLAB(index)     no        -                        GnoTopSlab at index, all of it at once; needed where GNO_TOP_SLAB is defined
 // GNO_TOP_ROOT                 no        0u                       index of the root; GNO_TOP_NONE means an empty tree: everything is lit
-// GNO_TOP_FIND_ROOT(q)         no        GNO_TOP_ROOT             the root of the tree to ask for a point q = gnoFromLight(p), where there are several
+// GNO_TOP_FIND_ROOT(q)         no        GNO_TOP_ROOT             the root of the tree to ask for a point q = gnoFromLight(p), where there are several; or GNO_TOP_IN_SHADOW
 // GNO_TOP_CASTER_OF(block)     no        (block)                  the caster of nodes 4 * block and on
 // GNO_LIGHT                    yes       -                        vec4, homogeneous (core/light.glsl)
 // GNO_LOAD_CASTER(index)       yes       -                        GnoCaster, on the scene grid
@@ -117,14 +117,12 @@ GNO_INLINE int gnoTopExactSide_(GnoTopPoint_ point_, uint index_, uint flags_) {
     return (flags_ & 3u) == 2u ? -sign_ : sign_;
 }
 
-const uint GNO_TOP_SHADOW_ = 0xFFFFFFFEu;  // what gnoTopNext_ returns for "in the owner's volume"
-
-// The next node apart from the intersection child, as the plane says: GNO_TOP_NONE when there is none, GNO_TOP_SHADOW_ when the search is over.
+// The next node apart from the intersection child, as the plane says: GNO_TOP_NONE when there is none, GNO_TOP_IN_SHADOW when the search is over.
 GNO_INLINE uint gnoTopRouted_(GnoTopPoint_ point_, GnoTopNode node_, uint index_, float side_) {
     bool cap_ = (index_ & 3u) == 3u;
     if (GNO_PRECISION == GNO_PRECISION_PUBLISHED) {
         if (side_ > 0.0f) return node_.positiveChild;
-        return cap_ ? GNO_TOP_SHADOW_ : index_ + 1u;
+        return cap_ ? GNO_TOP_IN_SHADOW : index_ + 1u;
     }
     bool uncertain_ = abs(side_) <= gnoTopBand(GNO_LIGHT, cap_, point_.scale, cap_ ? uintBitsToFloat(node_.aux) : 0.0f);
     if (cap_ && (uncertain_ || side_ < 0.0f) && GNO_TOP_CASTER_OF(index_ >> 2) == point_.own) return node_.positiveChild;
@@ -141,24 +139,24 @@ GNO_INLINE uint gnoTopRouted_(GnoTopPoint_ point_, GnoTopNode node_, uint index_
             positive_ = asked_ == 3u ? exact_ >= 0 : exact_ > 0;
         }
         if (positive_) return node_.positiveChild;
-        return cap_ ? GNO_TOP_SHADOW_ : index_ + 1u;
+        return cap_ ? GNO_TOP_IN_SHADOW : index_ + 1u;
     }
     if (uncertain_) {
         uint owner_ = GNO_TOP_CASTER_OF(index_ >> 2);
         if (owner_ != point_.own) {
             GNO_COUNT(exactCalls, 1u);
-            if (gnoDecideInShadow(GNO_LIGHT, GNO_LOAD_CASTER(owner_), point_.position, GNO_PRECISION)) return GNO_TOP_SHADOW_;
+            if (gnoDecideInShadow(GNO_LIGHT, GNO_LOAD_CASTER(owner_), point_.position, GNO_PRECISION)) return GNO_TOP_IN_SHADOW;
         }
         return cap_ ? node_.positiveChild : GNO_TOP_NONE;
     }
     if (side_ > 0.0f) return node_.positiveChild;
-    return cap_ ? GNO_TOP_SHADOW_ : index_ + 1u;
+    return cap_ ? GNO_TOP_IN_SHADOW : index_ + 1u;
 }
 
 // The same, less what the bounds exclude.
 GNO_INLINE uint gnoTopNext_(GnoTopPoint_ point_, GnoTopNode node_, GnoTopSlab slab_, uint index_, float side_) {
     uint next_ = gnoTopRouted_(point_, node_, index_, side_);
-    if (GNO_TOP_SLAB_ != 0 && next_ < GNO_TOP_SHADOW_) {
+    if (GNO_TOP_SLAB_ != 0 && next_ < GNO_TOP_IN_SHADOW) {
         if (next_ == index_ + 1u && (index_ & 3u) != 3u) {  // a cap's positive child may well be the next block
             if (-side_ > uintBitsToFloat(slab_.negative) * point_.scale) return GNO_TOP_NONE;
         } else {
