@@ -3,7 +3,7 @@
 //
 //   GnoTopNode gnoTopLoadNode(uint index)     what GNO_TOP_LOAD_NODE(index) is then
 //
-// Defines    GNO_TOP_PLANES, GNO_TOP_LINKS, GNO_TOP_HEADER (for build.glsl), GNO_TOP_SLABS and GNO_TOP_LOAD_SLAB where GNO_TOP_SLAB is defined; GNO_TOP_ROOT, GNO_TOP_LOAD_NODE, GNO_TOP_LOAD_ANCESTOR,
+// Defines    GNO_TOP_PLANES, GNO_TOP_LINKS, GNO_TOP_HEADER (for build.glsl), GNO_TOP_SLABS and GNO_TOP_LOAD_SLAB with GNO_TOP_BIND_SLABS 1; GNO_TOP_ROOT, GNO_TOP_LOAD_NODE, GNO_TOP_LOAD_ANCESTOR,
 //            GNO_TOP_LOAD_FLAGS (for the queries)
 // Space      planes in the coordinates of gnoFromLight (core/light.glsl)
 // Stages     any with storage buffers; a build needs them writable (fragment stage: fragmentStoresAndAtomics)
@@ -14,8 +14,8 @@
 // GNO_TOP_BINDING_PLANES  no        0        planes, std430 vec4[4 n]; layout of all three in node.h
 // GNO_TOP_BINDING_LINKS   no        1        links, std430 GnoTopLink[4 n]
 // GNO_TOP_BINDING_HEADER  no        2        header, std430 GnoTopHeader
-// GNO_TOP_SLAB            no        -        defined, whatever its value: there is a binding for slabs; see build.glsl
-// GNO_TOP_BINDING_SLABS   no        3        slabs, std430 GnoTopSlab[4 n]; bound only where GNO_TOP_SLAB is defined
+// GNO_TOP_BIND_SLABS      no        0        1: there is a binding for slabs, too
+// GNO_TOP_BINDING_SLABS   no        3        slabs, std430 GnoTopSlab[4 n]; only with GNO_TOP_BIND_SLABS 1
 // GNO_TOP_READ_ONLY       no        0        1: queries only; the buffers are declared readonly
 #ifndef GNO_TOP_BINDINGS_GLSL
 #define GNO_TOP_BINDINGS_GLSL
@@ -32,6 +32,9 @@
 #ifndef GNO_TOP_BINDING_HEADER
 #define GNO_TOP_BINDING_HEADER 2
 #endif
+#ifndef GNO_TOP_BIND_SLABS
+#define GNO_TOP_BIND_SLABS 0
+#endif
 #ifndef GNO_TOP_BINDING_SLABS
 #define GNO_TOP_BINDING_SLABS 3
 #endif
@@ -47,7 +50,7 @@
 layout(set = GNO_TOP_SET, binding = GNO_TOP_BINDING_PLANES, std430) GNO_TOP_ACCESS_ buffer GnoTopPlaneBuffer { vec4 v[]; } gnoTopPlanes;
 layout(set = GNO_TOP_SET, binding = GNO_TOP_BINDING_LINKS, std430) GNO_TOP_ACCESS_ buffer GnoTopLinkBuffer { GnoTopLink v[]; } gnoTopLinks;
 layout(set = GNO_TOP_SET, binding = GNO_TOP_BINDING_HEADER, std430) GNO_TOP_ACCESS_ buffer GnoTopHeaderBuffer { GnoTopHeader v; } gnoTopHeader;
-#ifdef GNO_TOP_SLAB
+#if GNO_TOP_BIND_SLABS
 layout(set = GNO_TOP_SET, binding = GNO_TOP_BINDING_SLABS, std430) GNO_TOP_ACCESS_ buffer GnoTopSlabBuffer { GnoTopSlab v[]; } gnoTopSlabs;
 #define GNO_TOP_SLABS gnoTopSlabs.v
 #define GNO_TOP_LOAD_SLAB(index_) gnoTopSlabs.v[index_]

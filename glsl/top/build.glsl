@@ -35,8 +35,8 @@
 // GNO_TOP_PLANES            yes       -                         array of vec4, 4 per caster
 // GNO_TOP_LINKS             yes       -                         array of GnoTopLink in a storage buffer, 4 per caster
 // GNO_TOP_HEADER            yes       -                         GnoTopHeader in a storage buffer; not where GNO_TOP_ROOT_OF is given
-// GNO_TOP_SLAB              no        -                         defined: the tree has slabs; 0: not yet, though (may be a specialization constant); not for `published`
-// GNO_TOP_SLABS             no        -                         array of GnoTopSlab in a storage buffer, 4 per caster; needed where GNO_TOP_SLAB is defined
+// GNO_TOP_SLABS             no        -                         array of GnoTopSlab in a storage buffer, 4 per caster: bounds of the children, for the queries; not for `published`
+// GNO_TOP_SLAB              no        1                         with GNO_TOP_SLABS: 0: leave it alone; may be a specialization constant
 // GNO_TOP_ROOT_OF(block)    no        GNO_TOP_HEADER.root       uint in a storage buffer: the root of the tree that block belongs to
 // GNO_TOP_CASTER_OF(block)  no        (block)                   the caster of a block
 // GNO_LIGHT                 yes       -                         vec4, homogeneous (core/light.glsl)
@@ -58,8 +58,8 @@
 #ifndef GNO_TOP_ROOT_OF
 #define GNO_TOP_ROOT_OF(block_) GNO_TOP_HEADER.root
 #endif
-#if defined(GNO_TOP_SLAB) && !defined(GNO_TOP_SLABS)
-#error "top/build.glsl: define GNO_TOP_SLABS or include top/bindings.glsl before this file"
+#ifndef GNO_TOP_SLAB
+#define GNO_TOP_SLAB 1
 #endif
 #ifndef GNO_TOP_CASTER_OF
 #define GNO_TOP_CASTER_OF(block_) (block_)
@@ -77,7 +77,7 @@ GNO_INLINE bool gnoTopTouches_(vec3 v_, GnoCaster owner_, uint place_) {
     return v_ == first_ || v_ == second_;
 }
 
-#ifdef GNO_TOP_SLAB
+#ifdef GNO_TOP_SLABS
 // A caster goes to the positive child: its distance, and (not for a cap) its sides.
 GNO_INLINE void gnoTopWidenPositive_(uint node_, vec3 sides_, vec3 scales_, float depth_, float spread_) {
     atomicMin(GNO_TOP_SLABS[node_].positiveDepth, floatBitsToUint(depth_));
@@ -138,7 +138,7 @@ GNO_INLINE void gnoTopSetUp(uint block_, int facing_) {
     }
     GNO_TOP_LINKS[first_ + 2u].aux = flags_;
     GNO_TOP_PLANES[first_ + 3u] = gnoTopCapPlane(GNO_LIGHT, t_, facing_, GNO_PRECISION);
-#ifdef GNO_TOP_SLAB
+#ifdef GNO_TOP_SLABS
     if (GNO_TOP_SLAB != 0) {
         vec3 q0_ = gnoFromLight(GNO_LIGHT, t_.a);
         vec3 q1_ = gnoFromLight(GNO_LIGHT, t_.b);
@@ -174,7 +174,7 @@ GNO_INLINE bool gnoTopInsert(uint block_) {
     while (node_ != GNO_TOP_NONE) {
         GNO_COUNT(buildSteps, 1u);
         bool cap_ = (node_ & 3u) == 3u;
-#ifdef GNO_TOP_SLAB
+#ifdef GNO_TOP_SLABS
         bool slab_ = GNO_TOP_SLAB != 0;
 #else
         bool slab_ = false;
@@ -208,13 +208,13 @@ GNO_INLINE bool gnoTopInsert(uint block_) {
                 GNO_COUNT(dropped, 1u);
                 return false;
             }
-#ifdef GNO_TOP_SLAB
+#ifdef GNO_TOP_SLABS
             if (slab_ && cap_) gnoTopWidenPositive_(node_, sides_, scales_, depth_, spread_);
             if (slab_ && !cap_) atomicMax(GNO_TOP_SLABS[node_].negative, floatBitsToUint(gnoTopNegative(GNO_LIGHT, sides_, scales_, depth_, spread_)));
 #endif
             node_ = cap_ ? atomicCompSwap(GNO_TOP_LINKS[node_].positiveChild, GNO_TOP_NONE, first_) : node_ + 1u;
         } else if (above_) {
-#ifdef GNO_TOP_SLAB
+#ifdef GNO_TOP_SLABS
             if (slab_) gnoTopWidenPositive_(node_, sides_, scales_, depth_, spread_);
 #endif
             node_ = atomicCompSwap(GNO_TOP_LINKS[node_].positiveChild, GNO_TOP_NONE, first_);
@@ -223,7 +223,7 @@ GNO_INLINE bool gnoTopInsert(uint block_) {
             if (!cap_) {  // the capping plane does not pass through the light: it has no wedge
                 gnoTopWiden_(node_, gnoTopWedge(GNO_LIGHT, sides_, scales_, depth_, spread_, GNO_PRECISION));
             }
-#ifdef GNO_TOP_SLAB
+#ifdef GNO_TOP_SLABS
             if (slab_) atomicMin(GNO_TOP_SLABS[node_].intersectionDepth, depthBits_);
 #endif
             ancestor_ = node_;

@@ -14,7 +14,7 @@
 //   array    bytes        written by                       read by
 //   planes   64 n         set-up                           build, queries
 //   links    64 n         set-up; build (atomics only)     build (atomics only), queries
-//   slabs    64 n         set-up; build (atomics only)     queries; only where GNO_TOP_SLAB is asked for (bindings.glsl)
+//   slabs    64 n         set-up; build (atomics only)     queries; only where there are any (GNO_TOP_SLABS in build.glsl)
 //   header   16           set-up; build (atomics only)     queries
 //
 // GnoTopLink::aux holds one thing per volume, by the node's place in it:

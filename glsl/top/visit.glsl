@@ -18,8 +18,8 @@
 // GNO_TOP_LOAD_NODE(index)     yes       -                        GnoTopNode at index; index < node count, never GNO_TOP_NONE; no side effect
 // GNO_TOP_LOAD_ANCESTOR(index) yes       -                        ancestor link of the volume that node index belongs to
 // GNO_TOP_LOAD_FLAGS(index)    yes       -                        aux of the third node of the volume that node index belongs to (node.h)
-// GNO_TOP_SLAB                 no        -                        defined: the tree has slabs, children that cannot matter are not loaded; 0: not yet, though (may be a specialization constant)
-// GNO_TOP_LOAD_SLAB(index)     no        -                        GnoTopSlab at index, all of it at once; needed where GNO_TOP_SLAB is defined
+// GNO_TOP_LOAD_SLAB(index)     no        -                        GnoTopSlab at index, where the tree was built with slabs: children that cannot matter are not loaded
+// GNO_TOP_SLAB                 no        1                        with GNO_TOP_LOAD_SLAB: 0: do not look at it; may be a specialization constant
 // GNO_TOP_ROOT                 no        0u                       index of the root; GNO_TOP_NONE means an empty tree: everything is lit
 // GNO_TOP_FIND_ROOT(q)         no        GNO_TOP_ROOT             the root of the tree to ask for a point q = gnoFromLight(p), where there are several; or GNO_TOP_IN_SHADOW
 // GNO_TOP_CASTER_OF(block)     no        (block)                  the caster of nodes 4 * block and on
@@ -47,10 +47,10 @@
 #ifndef GNO_TOP_FIND_ROOT
 #define GNO_TOP_FIND_ROOT(q_) GNO_TOP_ROOT
 #endif
-#if defined(GNO_TOP_SLAB) && !defined(GNO_TOP_LOAD_SLAB)
-#error "top/visit.glsl: define GNO_TOP_LOAD_SLAB(index) or include top/bindings.glsl before this file"
+#ifndef GNO_TOP_SLAB
+#define GNO_TOP_SLAB 1
 #endif
-#ifdef GNO_TOP_SLAB
+#ifdef GNO_TOP_LOAD_SLAB
 #define GNO_TOP_SLAB_ GNO_TOP_SLAB
 #define GNO_TOP_LOAD_SLAB_(index_) GNO_TOP_LOAD_SLAB(index_)
 #else

@@ -5,6 +5,7 @@ layout(constant_id = 0) const uint kPrecision = 2u;
 layout(constant_id = 2) const uint kDepthTest = 1u;
 layout(constant_id = 3) const uint kSlab = 0u;
 #define GNO_PRECISION kPrecision
+#define GNO_TOP_BIND_SLABS 1
 #define GNO_TOP_SLAB kSlab
 #define GNO_TOP_DEPTH_TEST kDepthTest
 layout(constant_id = 1) const uint kStackSize = 12u;
