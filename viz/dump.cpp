@@ -101,14 +101,16 @@ uint64_t Dump::counter(const std::string& key) const {
     return (*counters)[key];
 }
 
-std::vector<char> Dump::readBytes(const std::string& name, size_t recordBytes, uint64_t count) const {
+std::vector<char> Dump::readBytes(const std::string& name, size_t recordBytes, uint64_t count, bool mayBeLonger) const {
     const auto at = buffers_.find(name);
     if (at == buffers_.end()) throw InputError(fmt::format("{}: has no buffer {}", path_.string(), name));
     const Buffer& buffer = at->second;
-    if (4 * buffer.words != recordBytes || (count > 0 && buffer.count != count))
+    const uint64_t bytesHeld = 4 * buffer.words * buffer.count;
+    const bool isWhole = (buffer.words == 1 || 4 * buffer.words == recordBytes) && bytesHeld % recordBytes == 0;  // an array of words may be one of records
+    if (!(mayBeLonger ? bytesHeld >= recordBytes : isWhole) || (count > 0 && bytesHeld / recordBytes != count))
         throw InputError(fmt::format("{}: buffer {} holds {} records of {} words; {} of {} are wanted", path_.string(), name, buffer.count, buffer.words,
                                      count > 0 ? std::to_string(count) : "any number", recordBytes / 4));
-    std::vector<char> bytes(4 * buffer.words * buffer.count);
+    std::vector<char> bytes(bytesHeld);
     std::ifstream file(buffer.file, std::ios::binary);
     if (!file.read(bytes.data(), std::streamsize(bytes.size()))) throw InputError(fmt::format("{}: cannot be read", buffer.file.string()));
     return bytes;

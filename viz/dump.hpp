@@ -48,13 +48,21 @@ public:
     [[nodiscard]] bool isTraced() const { return has("trace"); }
     [[nodiscard]] glm::uvec2 tracedPixel() const { return traced_; }  ///< of isTraced() only
 
-    /// The records of a buffer. Throws InputError when the dump has none of that name, or one of another size per record, or another count (`count` > 0).
+    /// The records of a buffer. Throws InputError when the dump has none of that name, or one of another size per record (one
+    /// of single words may be read as any), or another count (`count` > 0).
     template <class T>
     [[nodiscard]] std::vector<T> read(const std::string& buffer, uint64_t count = 0) const {
         const std::vector<char> bytes = readBytes(buffer, sizeof(T), count);
         std::vector<T> records(bytes.size() / sizeof(T));
         if (!bytes.empty()) std::memcpy(static_cast<void*>(records.data()), bytes.data(), bytes.size());
         return records;
+    }
+    /// The first record of a buffer that may be longer.
+    template <class T>
+    [[nodiscard]] T readOne(const std::string& buffer) const {
+        T record;
+        std::memcpy(static_cast<void*>(&record), readBytes(buffer, sizeof(T), 0, true).data(), sizeof(T));
+        return record;
     }
     template <class T>
     [[nodiscard]] std::vector<T> readPerPixel(const std::string& buffer) const {
@@ -66,7 +74,7 @@ private:
         std::filesystem::path file;
         uint64_t words = 0, count = 0;
     };
-    [[nodiscard]] std::vector<char> readBytes(const std::string& buffer, size_t recordBytes, uint64_t count) const;
+    [[nodiscard]] std::vector<char> readBytes(const std::string& buffer, size_t recordBytes, uint64_t count, bool mayBeLonger = false) const;
 
     std::filesystem::path path_;
     std::string name_;

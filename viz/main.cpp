@@ -20,6 +20,7 @@ int run(int argc, const char* const* argv) {
         case Command::Kind::tree: viewTree(command.options); break;
         case Command::Kind::clusters: viewClusters(command.options); break;
         case Command::Kind::samples: viewSamples(command.options); break;
+        case Command::Kind::forest: viewForest(command.options); break;
         case Command::Kind::none: break;
     }
     return 0;

@@ -20,7 +20,7 @@ namespace {
 using host::InputError;
 
 struct Texts {
-    std::string size = "1600x1000", view = "overview", limit, closeAfter = "0", color;
+    std::string size = "1600x1000", view = "overview", limit, closeAfter = "0", color, cell;
     std::vector<std::string> dumps;
     std::string out = "out";
 };
@@ -50,6 +50,7 @@ Options optionsOf(const Texts& texts, bool interactive) {
     parseSize(texts.size, options.size);
     options.view = texts.view == "camera" ? View::camera : View::overview;
     options.limit = number("--limit", texts.limit, 1, 10000000);
+    if (!texts.cell.empty()) options.cell = number("--cell", texts.cell, 0, 0xFFFFFFFFu);
     options.closeAfter = number("--close-after", texts.closeAfter, 0, 86400);
     if (options.closeAfter > 0 && !interactive) throw InputError("--close-after: only together with --interactive");
     return options;
@@ -58,7 +59,7 @@ Options optionsOf(const Texts& texts, bool interactive) {
 }  // namespace
 
 Command parseCommandLine(int argc, const char* const* argv) {
-    CLI::App app("gnomon-viz: pictures and VTK files of what `gnomon shade --dump` wrote: TOP trees, cluster hierarchies, wrong samples.");
+    CLI::App app("gnomon-viz: pictures and VTK files of what `gnomon shade --dump` wrote: TOP trees, cluster hierarchies, forests, wrong samples.");
     app.set_version_flag("--version", std::string("gnomon-viz ") + GNOMON_VERSION);
     app.require_subcommand(1);
     bool interactive = false;
@@ -73,7 +74,9 @@ Command parseCommandLine(int argc, const char* const* argv) {
         {Command::Kind::tree, "tree", "the shadow volumes of a TOP tree, a query's way through it, and its statistics", "1000", "shadow volumes",
          {"depth", "kind", "distance", "visits"}},
         {Command::Kind::clusters, "clusters", "the occupied nodes of a cluster hierarchy by level, and the tests of each pixel", "20000", "boxes of a level", {"accepted", "distance"}},
-        {Command::Kind::samples, "samples", "wrong samples with the caster and the plane that decided them", "2000", "samples", {"error", "plane"}}};
+        {Command::Kind::samples, "samples", "wrong samples with the caster and the plane that decided them", "2000", "samples", {"error", "plane"}},
+        {Command::Kind::forest, "forest", "the cells of a forest by casters and by visited nodes, and one cell's tree in the scene", "20000", "casters of the cell's tree",
+         {"depth", "kind", "distance"}}};
     for (Sub& sub : subs) {
         sub.texts.limit = sub.limit;
         sub.texts.color = sub.colors.front();
@@ -84,6 +87,7 @@ Command parseCommandLine(int argc, const char* const* argv) {
         sub.app->add_option("--limit", sub.texts.limit, fmt::format("most {} that are drawn", sub.primitives))->capture_default_str();
         sub.app->add_option("--size", sub.texts.size, "WIDTHxHEIGHT of the pictures, in pixels")->capture_default_str();
         sub.app->add_option("--out", sub.texts.out, "folder for everything that is written")->capture_default_str();
+        if (sub.kind == Command::Kind::forest) sub.app->add_option("--cell", sub.texts.cell, "whose tree is drawn; without it, the one with most casters");
         sub.app->add_flag("--interactive", interactive, "show it, with a slider, instead of writing files");
         sub.app->add_option("--close-after", sub.texts.closeAfter, "with --interactive: seconds until the window closes by itself, 0: never")->capture_default_str();
     }

@@ -2,6 +2,7 @@
 // The command line of gnomon-viz, checked as far as it can be without a dump or a display.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,13 +16,14 @@ struct Options {
     std::string color;                         ///< one of the command's
     View view = View::overview;
     uint32_t limit = 0;                        ///< most primitives that are drawn
+    std::optional<uint32_t> cell;              ///< forest: whose tree is drawn; none: the one with most casters
     PictureSize size;
     bool interactive = false;
     double closeAfter = 0;                     ///< seconds; 0: the user closes the window
 };
 
 struct Command {
-    enum class Kind { none, tree, clusters, samples } kind = Kind::none;  ///< none: help or version was printed
+    enum class Kind { none, tree, clusters, samples, forest } kind = Kind::none;  ///< none: help or version was printed
     Options options;
 };
 

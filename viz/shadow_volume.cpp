@@ -83,4 +83,10 @@ std::vector<Polygon> clippedVolume(const Box& box, glm::vec4 light, const std::a
     return faces;
 }
 
+Polygon clipped(Polygon polygon, std::span<const glm::dvec4> planes) {
+    std::vector<glm::dvec3> seam;
+    for (const glm::dvec4& plane : planes) polygon = cut(polygon, {glm::dvec3(plane), plane.w}, seam);
+    return polygon.size() >= 3 ? polygon : Polygon{};
+}
+
 }  // namespace gno::viz

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -24,6 +25,10 @@ struct Volume {
     float leastDistance = 0;         ///< of its subtree from the light (a light at infinity: depth along its direction), metres
     uint64_t visits = 0;             ///< of its four nodes by all queries of the frame
 };
+
+/// The volumes of one tree by depth, the root first. Its blocks of four nodes are first .. end-1 of `links`, and `caster` and `parent` are blocks; no visits. Throws InputError:
+/// a link leads out of them, or twice to the same volume.
+std::vector<Volume> volumesOf(const Dump& dump, std::span<const GnoTopLink> links, uint32_t root, uint32_t first, uint32_t end);
 
 struct TopTree {
     std::vector<Volume> volumes;  ///< in the tree, by depth; the root first

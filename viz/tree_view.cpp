@@ -20,58 +20,16 @@
 #include "viz/tree_charts.hpp"
 #include "viz/tree_paths.hpp"
 #include "viz/views.hpp"
+#include "viz/volume_look.hpp"
 
 namespace gno::viz {
 namespace {
-
-const std::vector<Kind> kLinkKinds{{"root", kDark}, {"positive child", kBlue}, {"positive child of a cap", kSky}, {"intersection child", kOrange}};
-
-/// What colours tell of a volume.
-struct Coloring {
-    std::string array, title;
-    vtkSmartPointer<vtkLookupTable> table;
-};
-
-Coloring coloringOf(const std::string& color, std::span<const Volume> drawn) {
-    if (color == "kind") return {"link", "", kindColours(kLinkKinds)};
-    const auto range = [&](auto value) {
-        const auto [least, most] = std::minmax_element(drawn.begin(), drawn.end(), [&](const Volume& a, const Volume& b) { return value(a) < value(b); });
-        return std::pair(double(value(*least)), double(value(*most)));
-    };
-    if (drawn.empty()) return {"depth", "volumes above", numberColours(0, 1)};
-    if (color == "distance") {
-        const auto [least, most] = range([](const Volume& v) { return v.leastDistance; });
-        return {"least_distance", "least distance\nin the subtree [m]", numberColours(least, most)};
-    }
-    if (color == "visits") {
-        const auto [least, most] = range([](const Volume& v) { return v.visits; });
-        return {"visits", "visits\nin the frame", numberColours(std::max(1.0, least), std::max(10.0, most), true)};
-    }
-    const auto [least, most] = range([](const Volume& v) { return v.depth; });
-    return {"depth", "depth in the tree\n[volumes above]", numberColours(least, most)};
-}
-
-/// One value per entry of `ids`, each a volume.
-void addVolumeArrays(vtkDataSetAttributes& target, const std::vector<Volume>& volumes, std::span<const uint32_t> ids) {
-    const auto add = [&](const char* name, const char* unit, auto value) {
-        std::vector<decltype(value(volumes[0]))> values;
-        for (const uint32_t id : ids) values.push_back(value(volumes[id]));
-        using T = typename decltype(values)::value_type;
-        target.AddArray(array(name, unit, std::span<const T>(values)));
-    };
-    add("caster", "", [](const Volume& v) { return v.caster; });
-    add("depth", "volumes above", [](const Volume& v) { return v.depth; });
-    add("nodes_above", "nodes", [](const Volume& v) { return v.planesAbove; });
-    add("link", "", [](const Volume& v) { return uint32_t(v.link); });
-    add("least_distance", "m", [](const Volume& v) { return v.leastDistance; });
-    add("visits", "visits", [](const Volume& v) { return uint32_t(std::min<uint64_t>(v.visits, 0xFFFFFFFFu)); });
-}
 
 void addTreeFacts(vtkPolyData& mesh, const Dump& dump, const TopTree& tree) {
     addFact(mesh, "title", dump.title());
     addFact(mesh, "casters", double(tree.casters));
     addFact(mesh, "volumes_in_tree", double(tree.volumes.size()));
-    addFact(mesh, "links", "0 root, 1 positive child, 2 positive child of a cap, 3 intersection child");
+    addFact(mesh, "links", kLinksFact);
 }
 
 /// The first `count` volumes of the tree, clipped to the scene's box: one polygon per face.
@@ -94,7 +52,7 @@ vtkSmartPointer<vtkPolyData> volumeMesh(const Dump& dump, const TopTree& tree, s
     const auto mesh = vtkSmartPointer<vtkPolyData>::New();
     mesh->SetPoints(points);
     mesh->SetPolys(cells);
-    addVolumeArrays(*mesh->GetCellData(), tree.volumes, ids);
+    addVolumeArrays(*mesh->GetCellData(), tree.volumes, ids, true);
     addTreeFacts(*mesh, dump, tree);
     addFact(*mesh, "volumes_drawn", double(count));
     return mesh;
@@ -117,7 +75,7 @@ vtkSmartPointer<vtkPolyData> nodeMesh(const Dump& dump, const TopTree& tree, std
     const auto mesh = vtkSmartPointer<vtkPolyData>::New();
     mesh->SetPoints(points);
     mesh->SetLines(lines);
-    addVolumeArrays(*mesh->GetPointData(), tree.volumes, ids);
+    addVolumeArrays(*mesh->GetPointData(), tree.volumes, ids, true);
     addTreeFacts(*mesh, dump, tree);
     return mesh;
 }
@@ -139,13 +97,6 @@ void fade(vtkPolyData& mesh, const Dump& dump, std::span<const Corners> corners,
         drawn->InsertNextTypedTuple(rgba);
     }
     mesh.GetCellData()->AddArray(drawn);
-}
-
-void addColors(Picture& picture, const Options& options, const Coloring& coloring) {
-    if (options.color == "kind")
-        picture.legend(0, kLinkKinds);
-    else
-        picture.legend(0, *coloring.table, coloring.title);
 }
 
 std::string leftOut(const TopTree& tree, size_t drawn) {
@@ -197,7 +148,7 @@ void show(const Options& options, const Dump& dump, const TopTree& tree, std::sp
     };
     const int deepest = drawn > 0 ? int(tree.volumes[drawn - 1].depth) : 0;
     upTo(deepest);
-    addColors(picture, options, coloring);
+    addLegend(picture, 0, options.color, coloring);
     picture.note(leftOut(tree, drawn));
     picture.lookAt(dump, options.view, boxOf(dump));
     picture.show({"deepest level that is drawn", 0, std::max(1, deepest), deepest, upTo}, options.closeAfter);
@@ -265,7 +216,7 @@ void viewTree(const Options& options) {
     addScene(picture.panel(0), dump, corners, 0.25);
     fade(*mesh, dump, corners, coloring);
     addMesh(picture.panel(0), *mesh, {}, "drawn");
-    addColors(picture, options, coloring);
+    addLegend(picture, 0, options.color, coloring);
     addNotes(picture, dump, tree, statistics, drawn);
     picture.lookAt(dump, options.view, boxOf(dump));
     picture.writePng(options.out / fmt::format("{}-tree-{}.png", dump.name(), options.color));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The three views: each reads its dumps, writes pictures and VTK files into options.out, or shows a window. All throw InputError or WorkError.
+// The views: each reads its dumps, writes pictures and VTK files into options.out, or shows a window. All throw InputError or WorkError.
 #pragma once
 #include "viz/options.hpp"
 
@@ -8,5 +8,6 @@ namespace gno::viz {
 void viewTree(const Options& options);
 void viewClusters(const Options& options);
 void viewSamples(const Options& options);
+void viewForest(const Options& options);
 
 }  // namespace gno::viz
