@@ -224,6 +224,8 @@ TEST(Layout, GridCellsPairsAndHeaderOfAForest) {
     EXPECT_EQ(offsetof(GnoForestHeader, one5), offsetof(GnoForestHeader, groupsOfMany) + 8);
     EXPECT_EQ(gnoCellCount(64, 6), 24576u);
     EXPECT_EQ(gnoCellCount(1024, 6), 6u << 20);
+}
+
 TEST(Layout, ArraysOfALightSpaceHierarchy) {
     const std::vector<Member> header{MEMBER(GnoLightBvhHeader, groupsOfReferences), MEMBER(GnoLightBvhHeader, one0), MEMBER(GnoLightBvhHeader, one1),
                                      MEMBER(GnoLightBvhHeader, references),         MEMBER(GnoLightBvhHeader, groupsOfTiles),
