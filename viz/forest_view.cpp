@@ -55,7 +55,7 @@ public:
             addBall(picture_.panel(panel), lightMarkOf(dump), 0.012 * glm::length(dump.high() - dump.low()) * dump.metres(), kYellow);
         }
         addMesh(picture_.panel(0), *meshOf(dump, corners, largestCasters(corners, 20000)), {.colour = kPale, .opacity = 0.25, .outlines = true, .lit = false, .lineWidth = 0.5});
-        addLegend(picture_, 1, options.color, coloring_);
+        addLegend(picture_, options.color == "kind" ? 0 : 1, options.color, coloring_);  // kinds stand in a corner, and here is room for them
         picture_.panelTitle(0, "the cell's casters in the scene");
         picture_.panelTitle(1, "their parts inside the cell");
         picture_.lookAt(dump, options.view, boxOf(dump), {0});
