@@ -24,7 +24,7 @@ std::string mostOf(const Forest& forest, const std::string& color) {
     const uint32_t cell = color == "casters" ? forest.fullestCell() : forest.dearestCell();
     const ForestCell& own = forest.cells[cell];
     if (color == "casters") return fmt::format("{} casters, {}", grouped(own.casters), cellName(forest, cell));
-    return fmt::format("{:.1f} visited nodes, {}", own.visitsPerSample(), cellName(forest, cell));
+    return fmt::format("{:.1f} visited nodes a sample, {}", own.visitsPerSample(), cellName(forest, cell));
 }
 
 std::string leftOut(const CellTree& tree, size_t drawn) {
@@ -69,7 +69,7 @@ public:
         const auto whole = casterMesh(dump_, tree_, corners_, count);
         fade(*whole, dump_, corners_, coloring_);
         drawn_ = {addMesh(picture_.panel(0), *whole, {.lit = false}, "drawn"),
-                  addMesh(picture_.panel(1), *partMesh(dump_, tree_, count), {.edges = count > 2000 ? 0.0 : 0.6, .lit = false}, coloring_.array, coloring_.table)};
+                  addMesh(picture_.panel(1), *partMesh(dump_, tree_, count), {.edges = count > 500 ? 0.0 : 0.6, .lit = false}, coloring_.array, coloring_.table)};
     }
     Picture& picture() { return picture_; }
 

@@ -190,6 +190,11 @@ TEST(Charts, Scales) {
     EXPECT_FALSE(scale.place(-1));
     EXPECT_FALSE(scale.place(std::nan("")));
     for (size_t i = 1; i < scale.ticks().size(); ++i) EXPECT_GT(scale.ticks()[i].first, scale.ticks()[i - 1].first);
+    axis.zeroShare = 0.5;
+    for (const double value : {3.0, 830.0, 99999.0}) {  // whatever the decades are, the row for zero is 1.2 of their 1 + 1.6 shares: who fills it relies on that
+        const viz::Scale one(axis, std::vector{0.0, value});
+        EXPECT_NEAR((*one.zeroLine() - one.low()) / (one.high() - one.low()), 1.2 * 0.5 / (1 + 1.6 * 0.5), 1e-12) << value;
+    }
     axis.zeroRow.clear();
     EXPECT_FALSE(viz::Scale(axis, std::vector{0.0, 3.0}).place(0));
     EXPECT_FALSE(viz::Scale(axis, std::vector{1.0, 1.0}).ticks().empty()) << "one value has a scale, too";
