@@ -2,6 +2,9 @@
 // gnomon-viz forest: its files hold what the device counted, cell by cell; other views and damaged dumps are refused in one line.
 #include <vtkCellData.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "validation/tests/viz_look.hpp"
 
 namespace gno::test {
@@ -124,6 +127,34 @@ TEST_F(VizForestSmall, EachUsedCellIsDrawn) {
         expectDone(look().viz({"forest", dump(), "--cell", std::to_string(cell), "--color", "kind", "--size", "400x300"}));
         EXPECT_TRUE(fs::exists(look().file("forest", "forest-cell-" + std::to_string(cell) + "-kind.png")));
     }
+}
+
+/// As where no caster lies before any view sample: two maps, and no tree.
+TEST_F(VizForestSmall, EmptyForest) {
+    const fs::path folder = file("cells").parent_path() / "empty";
+    fs::create_directory(folder);
+    for (const auto& entry : fs::directory_iterator(folder.parent_path()))
+        if (entry.is_regular_file()) fs::copy(entry.path(), folder / entry.path().filename());
+    const auto change = [&](const std::string& buffer, auto changed) {
+        auto words = wordsOf(file(buffer));
+        changed(words);
+        replaceFile(folder / file(buffer).filename(), std::string(reinterpret_cast<const char*>(words.data()), 4 * words.size()));
+    };
+    change("cells", [](std::vector<uint32_t>& words) {
+        for (size_t i = 0; i < words.size(); i += 4) words[i + 2] = 0, words[i + 3] = kNone;
+    });
+    change("forest_header", [](std::vector<uint32_t>& words) { words[3] = words[12] = 0; });
+    change("visited_nodes", [](std::vector<uint32_t>& words) { std::fill(words.begin(), words.end(), 0u); });
+    Json index = Json::parse(readFile(dump()));
+    for (const char* name : {"pairs", "used_cells", "visited_nodes"}) index["record"]["counters"][name] = 0;
+    const fs::path empty = folder / fs::path(dump()).filename();
+    replaceFile(empty, index.dump());
+    const Outcome outcome = look().viz({"forest", empty.string(), "--size", "640x480"});
+    expectDone(outcome);
+    EXPECT_NE(outcome.out.find("0 pairs of cell and caster in 0 of 96 cells"), std::string::npos) << outcome.out;
+    for (const char* picture : {"forest-casters.png", "forest-visits.png"}) EXPECT_TRUE(fs::exists(look().file("forest", picture)));
+    look().refuses({"forest", empty.string(), "--cell", "0"}, "no cell of the forest keeps a caster");
+    fs::remove_all(folder);
 }
 
 TEST_F(VizForestSmall, DamagedDumps) {
