@@ -117,6 +117,10 @@ uint32_t Forest::fullestCell() const {
     return uint32_t(std::max_element(cells.begin(), cells.end(), [](const ForestCell& a, const ForestCell& b) { return a.casters < b.casters; }) - cells.begin());
 }
 
+uint32_t Forest::dearestCell() const {
+    return uint32_t(std::max_element(cells.begin(), cells.end(), [](const ForestCell& a, const ForestCell& b) { return a.visitsPerSample() < b.visitsPerSample(); }) - cells.begin());
+}
+
 // The steps of gnoCellOf in glsl/forest/cells.glsl, in fp32: a sample within rounding of a border must be found where the device found it.
 uint32_t Forest::cellAt(glm::vec3 p) const {
     const glm::vec3 q = p - glm::vec3(light) * light.w, far = glm::abs(q);
@@ -138,11 +142,11 @@ uint32_t Forest::cellAt(glm::vec3 p) const {
     return (face * grid.resolution + row) * grid.resolution + column;
 }
 
-double Forest::depthOf(uint32_t face, glm::dvec3 p) const {
-    if (light.w == 0) return -glm::dot(glm::normalize(glm::dvec3(light)), p);
-    const double along = p[int(face / 2)] - double(light[int(face / 2)]);
-    return face % 2 == 0 ? along : -along;
+glm::dvec3 Forest::axisOf(uint32_t face) const {
+    return light.w != 0 ? direction(face, glm::dvec2(0)) : -glm::normalize(glm::dvec3(light));
 }
+
+double Forest::depthOf(uint32_t face, glm::dvec3 p) const { return glm::dot(axisOf(face), p - glm::dvec3(light) * double(light.w)); }
 
 glm::dvec2 Forest::cornerOf(uint32_t cell, uint32_t corner) const {
     const double column = columnOf(cell) + (corner == 1 || corner == 2 ? 1 : 0), row = rowOf(cell) + (corner >= 2 ? 1 : 0);
@@ -161,7 +165,7 @@ std::array<CellEdge, 4> Forest::edgesOf(uint32_t cell) const {
         if (light.w != 0)
             edges[corner] = {glm::dvec3(light), direction(faceOf(cell), place)};
         else
-            edges[corner] = {place.x * glm::dvec3(grid.across) + place.y * glm::dvec3(grid.along), -glm::normalize(glm::dvec3(light))};
+            edges[corner] = {place.x * glm::dvec3(grid.across) + place.y * glm::dvec3(grid.along), axisOf(0)};
     }
     return edges;
 }
@@ -181,9 +185,14 @@ std::array<glm::dvec4, 4> Forest::sidesOf(uint32_t cell) const {
 }
 
 std::string faceName(const Forest& forest, uint32_t face) {
-    if (forest.grid.faces == 1) return "towards the light";
+    if (forest.grid.faces == 1) return "seen from the light";
     constexpr std::array kNames{"+x", "-x", "+y", "-y", "+z", "-z"};
     return kNames.at(face);
+}
+
+std::string cellName(const Forest& forest, uint32_t cell) {
+    const std::string place = fmt::format("column {}, row {}", forest.columnOf(cell), forest.rowOf(cell));
+    return forest.grid.faces == 1 ? fmt::format("cell {} ({})", cell, place) : fmt::format("cell {} (face {}, {})", cell, faceName(forest, forest.faceOf(cell)), place);
 }
 
 }  // namespace gno::viz

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "viz/forest_map.hpp"
 
+#include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkNew.h>
@@ -16,7 +17,7 @@
 namespace gno::viz {
 namespace {
 
-constexpr glm::dvec3 kUnseen{0.94, 0.94, 0.95};
+constexpr glm::dvec3 kUnseen{0.93, 0.93, 0.94};
 
 /// A face as one sees it from the light, looking along `forward`.
 struct Tile {
@@ -69,7 +70,7 @@ vtkSmartPointer<vtkPolyData> cellsWhere(const Dump& dump, const Forest& forest, 
         deepest.push_back(cell.deepest);
         samples.push_back(cell.samples);
         mostVisits.push_back(cell.mostVisits);
-        visits.push_back(float(double(cell.visits) / std::max(1u, cell.samples)));
+        visits.push_back(float(cell.visitsPerSample()));
     }
     const auto mesh = vtkSmartPointer<vtkPolyData>::New();
     mesh->SetPoints(points);
@@ -88,7 +89,7 @@ void addLabel(vtkRenderer& panel, const std::string& words, glm::dvec2 at, int s
     label->GetPositionCoordinate()->SetValue(at.x, at.y, 0);
     label->GetTextProperty()->SetFontSize(size);
     label->GetTextProperty()->SetColor(kDark.r, kDark.g, kDark.b);
-    label->GetTextProperty()->SetVerticalJustificationToBottom();
+    label->GetTextProperty()->SetVerticalJustificationToTop();
     panel.AddViewProp(label);
 }
 
@@ -136,11 +137,16 @@ vtkSmartPointer<vtkPolyData> cellMesh(const Dump& dump, const Forest& forest) {
 void drawCells(Picture& picture, const Dump& dump, const Forest& forest, const std::string& color) {
     const bool byVisits = color == "visits";
     const auto isColoured = [&](const ForestCell& cell) { return cell.casters > 0 && (!byVisits || cell.samples > 0); };
-    double most = 10;
-    for (const ForestCell& cell : forest.cells)
-        if (isColoured(cell)) most = std::max(most, byVisits ? double(cell.visits) / cell.samples : double(cell.casters));
-    const auto table = numberColours(1, most, true);
+    double least = 1e30, most = 1;
+    for (const ForestCell& cell : forest.cells) {
+        if (!isColoured(cell)) continue;
+        const double value = std::max(1.0, byVisits ? cell.visitsPerSample() : double(cell.casters));
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    const auto table = numberColours(std::min(least, most), std::max(most, 10 * std::min(least, most)), true);
     vtkRenderer& panel = picture.panel(0);
+    panel.UseFXAAOff();  // it would round the cells' corners
     addMesh(panel, *cellsWhere(dump, forest, isColoured), {.lit = false}, byVisits ? "visits_per_sample" : "casters", table);
     addMesh(panel, *cellsWhere(dump, forest, [&](const ForestCell& cell) { return !isColoured(cell) && cell.samples > 0; }), {.colour = kPale, .lit = false});
     addMesh(panel, *cellsWhere(dump, forest, [&](const ForestCell& cell) { return !isColoured(cell) && cell.samples == 0; }), {.colour = kUnseen, .lit = false});
@@ -150,7 +156,7 @@ void drawCells(Picture& picture, const Dump& dump, const Forest& forest, const s
         const Area area = areaOf(dump, forest, face);
         all = {glm::min(all.low, area.low), glm::max(all.high, area.high)};
         addOutline(panel, area);
-        addLabel(panel, forest.grid.faces == 1 ? "seen from the light" : faceName(forest, face), {area.low.x, area.high.y}, 16);
+        addLabel(panel, fmt::format(" {}", faceName(forest, face)), {area.low.x, area.high.y - 0.015 * (area.high.y - area.low.y)}, picture.panel(0).GetVTKWindow()->GetSize()[1] / 45);
     }
     lookDown(panel, all);
 }

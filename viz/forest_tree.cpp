@@ -21,6 +21,7 @@ void addFacts(vtkPolyData& mesh, const Dump& dump, const CellTree& tree, size_t 
     addFact(mesh, "cell", tree.cell);
     addFact(mesh, "volumes_in_tree", double(tree.volumes.size()));
     addFact(mesh, "volumes_drawn", double(drawn));
+    addFact(mesh, "kept_by_margins", double(tree.byMargins));
     addFact(mesh, "links", kLinksFact);
 }
 
@@ -71,23 +72,23 @@ CellTree CellTree::read(const Dump& dump, const Forest& forest, std::span<const 
     tree.box = {onEdge(edges[0], tree.farthest), onEdge(edges[0], tree.farthest)};
     const auto widen = [&](const glm::dvec3& p) { tree.box = {glm::min(tree.box.low, p), glm::max(tree.box.high, p)}; };
     for (const CellEdge& edge : edges) widen(onEdge(edge, tree.farthest));
+    const glm::dvec3 axis = forest.axisOf(forest.faceOf(cell));
+    const std::array end{glm::dvec4(axis, -glm::dot(axis, onEdge(edges[0], tree.farthest)))};
     for (const Volume& volume : tree.volumes) {
         const Corners& t = corners[volume.caster];
-        tree.parts.push_back(clipped({glm::dvec3(t[0]), glm::dvec3(t[1]), glm::dvec3(t[2])}, sides));
+        Polygon part = clipped({glm::dvec3(t[0]), glm::dvec3(t[1]), glm::dvec3(t[2])}, sides);
+        tree.byMargins += part.empty();
+        tree.parts.push_back(clipped(std::move(part), end));
         for (const glm::dvec3& p : tree.parts.back()) widen(p);
     }
     return tree;
 }
 
-size_t CellTree::partsInside() const {
-    return size_t(std::count_if(parts.begin(), parts.end(), [](const Polygon& part) { return !part.empty(); }));
-}
-
-std::string CellTree::title(const Forest& forest) const {
+std::string CellTree::numbers(const Forest& forest) const {
     const ForestCell& own = forest.cells[cell];
-    return fmt::format("cell {} (face {}, column {}, row {}): {} casters, {} of them in its tree, depth {} at most; {} samples, {:.1f} visited nodes each, {} at most", cell,
-                       faceName(forest, forest.faceOf(cell)), forest.columnOf(cell), forest.rowOf(cell), grouped(own.casters), grouped(own.volumes), own.deepest,
-                       grouped(own.samples), double(own.visits) / std::max(1u, own.samples), grouped(own.mostVisits));
+    return fmt::format("{} casters, {} of them in its tree ({} by the margins of the cell alone), depth {} at most; {} samples, {:.1f} visited nodes each, {} at most", grouped(own.casters),
+                       grouped(own.volumes), grouped(byMargins), own.deepest, grouped(own.samples), own.visitsPerSample(),
+                       grouped(own.mostVisits));
 }
 
 vtkSmartPointer<vtkPolyData> casterMesh(const Dump& dump, const CellTree& tree, std::span<const Corners> corners, size_t count) {

@@ -14,14 +14,14 @@ namespace gno::viz {
 struct CellTree {
     uint32_t cell = 0;
     std::vector<Volume> volumes;      ///< by depth; `caster` and `parent` of the scene
-    std::vector<Polygon> parts;       ///< by volume: its caster inside the pyramid, on the grid; empty: only the margins of the cell's test keep it
+    std::vector<Polygon> parts;       ///< by volume: its caster inside the pyramid as it is drawn, on the grid; may be empty
+    size_t byMargins = 0;             ///< casters that lie outside the cell, and are kept by the margins of its test
     double nearest = 0, farthest = 0; ///< depths (Forest::depthOf) between which the pyramid is drawn: to its farthest view sample, or out of the scene
     Box box{};                        ///< of the parts and the pyramid's end
 
     /// Throws InputError: there is no such cell, or it keeps no casters.
     static CellTree read(const Dump& dump, const Forest& forest, std::span<const Corners> corners, uint32_t cell);
-    [[nodiscard]] size_t partsInside() const;
-    [[nodiscard]] std::string title(const Forest& forest) const;  ///< "cell 1234 (face +x, column 3, row 7): ..."
+    [[nodiscard]] std::string numbers(const Forest& forest) const;  ///< one line
 };
 
 /// Triangles of the first `count` casters. Cell arrays: caster, parent (GNO_TOP_NONE: the root), depth, nodes_above, link, least_distance.

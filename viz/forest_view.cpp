@@ -19,6 +19,14 @@ std::string summary(const Forest& forest) {
                        grouped(forest.used), grouped(forest.cells.size()), grouped(forest.volumes), double(forest.visits) / double(std::max<uint64_t>(1, forest.samples)));
 }
 
+/// "21,983 casters, cell 68 (face +x, column 4, row 4)"
+std::string mostOf(const Forest& forest, const std::string& color) {
+    const uint32_t cell = color == "casters" ? forest.fullestCell() : forest.dearestCell();
+    const ForestCell& own = forest.cells[cell];
+    if (color == "casters") return fmt::format("{} casters, {}", grouped(own.casters), cellName(forest, cell));
+    return fmt::format("{:.1f} visited nodes, {}", own.visitsPerSample(), cellName(forest, cell));
+}
+
 std::string leftOut(const CellTree& tree, size_t drawn) {
     if (drawn == tree.volumes.size()) return fmt::format("drawing all {} casters of the cell's tree", grouped(drawn));
     return fmt::format("drawing {} of {} casters of the cell's tree: those nearest to the root (--limit)", grouped(drawn), grouped(tree.volumes.size()));
@@ -30,7 +38,7 @@ void writeCells(const Options& options, const Dump& dump, const Forest& forest) 
         Picture picture(options.size, fmt::format("forest, {} by cell: {}", color, dump.title()));
         drawCells(picture, dump, forest, color);
         picture.note(summary(forest));
-        picture.note("grey: no caster can shadow a view sample in it, a query ends at once; nearly white: there is no view sample in it");
+        picture.note(fmt::format("the most: {}; ", mostOf(forest, color)) + "grey: no caster can shadow a view sample in it, a query ends at once; nearly white: there is no view sample in it");
         picture.note("settings: " + dump.record().value("settings", nlohmann::json()).dump());
         picture.writePng(options.out / fmt::format("{}-forest-{}.png", dump.name(), color));
     }
@@ -40,7 +48,7 @@ void writeCells(const Options& options, const Dump& dump, const Forest& forest) 
 class TreePicture {
 public:
     TreePicture(const Options& options, const Dump& dump, const Forest& forest, const CellTree& tree, std::span<const Corners> corners)
-        : dump_(dump), tree_(tree), corners_(corners), coloring_(coloringOf(options.color, tree.volumes)), picture_(sizeOf(options), tree.title(forest), options.interactive) {
+        : dump_(dump), tree_(tree), corners_(corners), coloring_(coloringOf(options.color, tree.volumes)), picture_(sizeOf(options), fmt::format("forest, {}: {}", cellName(forest, tree.cell), dump.title()), options.interactive) {
         const auto pyramid = pyramidMesh(dump, forest, tree);
         for (const int panel : {0, 1}) {
             addMesh(picture_.panel(panel), *pyramid, {.colour = kVermilion, .lit = false, .lineWidth = 2});
@@ -58,7 +66,9 @@ public:
             if (drawn_[size_t(panel)]) picture_.panel(panel).RemoveActor(drawn_[size_t(panel)]);
         drawn_ = {};
         if (count == 0) return;
-        drawn_ = {addMesh(picture_.panel(0), *casterMesh(dump_, tree_, corners_, count), {.lit = false}, coloring_.array, coloring_.table),
+        const auto whole = casterMesh(dump_, tree_, corners_, count);
+        fade(*whole, dump_, corners_, coloring_);
+        drawn_ = {addMesh(picture_.panel(0), *whole, {.lit = false}, "drawn"),
                   addMesh(picture_.panel(1), *partMesh(dump_, tree_, count), {.edges = count > 2000 ? 0.0 : 0.6, .lit = false}, coloring_.array, coloring_.table)};
     }
     Picture& picture() { return picture_; }
@@ -96,9 +106,9 @@ void writeTree(const Options& options, const Dump& dump, const Forest& forest, c
     writeFile(options.out / (stem + "-pyramid.vtp"), *pyramidMesh(dump, forest, tree));
     TreePicture view(options, dump, forest, tree, corners);
     view.draw(drawn);
-    view.picture().note(dump.title());
-    view.picture().note(fmt::format("{}; {} casters of the tree are in the cell by its margins alone", leftOut(tree, drawn), grouped(tree.volumes.size() - tree.partsInside())));
-    view.picture().note("vermilion: the cell, from the light to its farthest view sample; yellow ball: the light");
+    view.picture().note(tree.numbers(forest));
+    view.picture().note(leftOut(tree, drawn));
+    view.picture().note("vermilion: the cell, as far as its farthest view sample (without one: to the end of the scene); yellow ball: the light");
     view.picture().writePng(options.out / fmt::format("{}-{}.png", stem, options.color));
 }
 
@@ -119,7 +129,7 @@ void viewForest(const Options& options) {
     writeCells(options, dump, forest);
     if (forest.used > 0) writeTree(options, dump, forest, tree, corners, drawn);
     fmt::print("{}: {}\n", dump.title(), summary(forest));
-    if (forest.used > 0) fmt::print("{}; {}\n", tree.title(forest), leftOut(tree, drawn));
+    if (forest.used > 0) fmt::print("{}: {}; {}\n", cellName(forest, tree.cell), tree.numbers(forest), leftOut(tree, drawn));
 }
 
 }  // namespace gno::viz

@@ -75,7 +75,7 @@ Command parseCommandLine(int argc, const char* const* argv) {
          {"depth", "kind", "distance", "visits"}},
         {Command::Kind::clusters, "clusters", "the occupied nodes of a cluster hierarchy by level, and the tests of each pixel", "20000", "boxes of a level", {"accepted", "distance"}},
         {Command::Kind::samples, "samples", "wrong samples with the caster and the plane that decided them", "2000", "samples", {"error", "plane"}},
-        {Command::Kind::forest, "forest", "the cells of a forest by casters and by visited nodes, and one cell's tree in the scene", "20000", "casters of the cell's tree",
+        {Command::Kind::forest, "forest", "the cells of a forest by casters and by visited nodes, and one cell's tree in the scene", "100000", "casters of the cell's tree",
          {"depth", "kind", "distance"}}};
     for (Sub& sub : subs) {
         sub.texts.limit = sub.limit;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <vtkActor2D.h>
+#include <vtkDoubleArray.h>
 #include <vtkImageData.h>
 #include <vtkLegendBoxActor.h>
 #include <vtkNew.h>
@@ -38,14 +39,14 @@ vtkSmartPointer<vtkTextActor> text(const std::string& words, int size, double x,
     return actor;
 }
 
-/// How far from `at`, along `back`, all corners of the box are in a picture whose right fifth is the legend's.
-double distanceFor(const Dump& dump, const Box& box, glm::dvec3 back, glm::dvec3 at, double aspect) {
+/// How far from `at`, along `back`, all corners of the box are left of a legend that is so wide.
+double distanceFor(const Dump& dump, const Box& box, glm::dvec3 back, glm::dvec3 at, double aspect, double legend) {
     const double slope = 0.94 * std::tan(glm::radians(kViewAngle / 2));
     const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), back)), up = glm::cross(back, right);
     double distance = 0;
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 p = dump.world({corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y, corner & 4 ? box.high.z : box.low.z}) - at;
-        const double across = std::max(std::abs(glm::dot(p, right)) / (0.8 * aspect), std::abs(glm::dot(p, up)));
+        const double across = std::max(std::abs(glm::dot(p, right)) / ((0.9 - legend) * aspect), std::abs(glm::dot(p, up)));
         distance = std::max(distance, across / slope + glm::dot(p, back));
     }
     return distance;
@@ -57,6 +58,18 @@ void plain(vtkTextProperty& property, int size) {
     property.ShadowOff();
     property.BoldOff();
     property.SetFontSize(size);
+}
+
+/// 1, 2, 5, 10, ... from `least` to `most`, so few that they do not touch.
+vtkSmartPointer<vtkDoubleArray> roundNumbers(double least, double most) {
+    const auto numbers = vtkSmartPointer<vtkDoubleArray>::New();
+    const double decades = std::log10(most / least);
+    for (int power = int(std::floor(std::log10(least))); power <= int(std::floor(std::log10(most))); ++power)
+        for (const double digit : {1.0, 2.0, 5.0}) {
+            const double number = digit * std::pow(10.0, power);
+            if (number >= least && number <= most && (digit == 1 || decades < 4)) numbers->InsertNextValue(number);
+        }
+    return numbers;
 }
 
 }  // namespace
@@ -102,19 +115,27 @@ void Picture::legend(int index, vtkLookupTable& colours, const std::string& titl
     bar->SetTitle((title + "\n ").c_str());
     bar->SetUnconstrainedFontSize(true);
     const double* range = colours.GetTableRange();
-    const bool whole = range[0] == std::floor(range[0]) && range[1] == std::floor(range[1]) && colours.GetScale() != VTK_SCALE_LOG10;
+    const bool isLog = colours.GetScale() == VTK_SCALE_LOG10, whole = isLog ? range[0] >= 1 : range[0] == std::floor(range[0]) && range[1] == std::floor(range[1]);
     const double span = range[1] - range[0];
     bar->SetNumberOfLabels(whole && span <= 12 ? int(span) + 1 : 6);
+    if (isLog) {
+        bar->SetUseCustomLabels(true);
+        bar->SetCustomLabels(roundNumbers(range[0], range[1]));
+    }
     bar->SetLabelFormat(whole ? "%.0f" : "%.3g");
     const int size = window_->GetSize()[1] / 58;
     plain(*bar->GetTitleTextProperty(), size);
     plain(*bar->GetLabelTextProperty(), size);
     bar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-    bar->SetPosition(0.885, 0.2);
-    bar->SetWidth(0.1);
+    const double* viewport = panel(index).GetViewport();
+    const double share = viewport[2] - viewport[0];  // letters are of one size in all panels
+    const double width = 0.1 / std::max(0.5, share);
+    bar->SetPosition(1 - 1.15 * width, 0.2);
+    bar->SetWidth(width);
     bar->SetHeight(0.6);
     bar->SetBarRatio(0.22);
     panel(index).AddViewProp(bar);
+    legendWidths_[panels_[size_t(index)].Get()] = width;
 }
 
 void Picture::legend(int index, const std::vector<Kind>& kinds) {
@@ -149,12 +170,14 @@ void Picture::placeOverview(vtkCamera& camera, const Dump& dump, const Box& focu
     const double* viewport = panel.GetViewport();
     const int* size = window_->GetSize();
     const double aspect = (viewport[2] - viewport[0]) * size[0] / ((viewport[3] - viewport[1]) * size[1]);
-    const glm::dvec3 from = at + back * distanceFor(dump, focus, back, at, aspect);
+    const auto own = legendWidths_.find(&panel);
+    const double legend = own == legendWidths_.end() ? 0.1 : own->second;
+    const glm::dvec3 from = at + back * distanceFor(dump, focus, back, at, aspect, legend);
     camera.SetPosition(from.x, from.y, from.z);
     camera.SetFocalPoint(at.x, at.y, at.z);
     camera.SetViewUp(0, 1, 0);
     camera.SetViewAngle(kViewAngle);
-    camera.SetWindowCenter(0.1, 0);  // the legend stands at the right
+    camera.SetWindowCenter(legend, 0);  // the legend stands at the right
 }
 
 void Picture::lookAt(const Dump& dump, View view, const Box& focus, const std::vector<int>& which) {

@@ -4,6 +4,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -60,6 +61,7 @@ private:
     vtkSmartPointer<vtkRenderWindow> window_;
     vtkSmartPointer<vtkRenderer> frame_;
     std::vector<vtkSmartPointer<vtkRenderer>> panels_;
+    std::map<const vtkRenderer*, double> legendWidths_;  ///< of colour bars, as a share of the panel
     int notes_ = 0;
 };
 

@@ -5,11 +5,9 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 
 #include "host_min/error.hpp"
@@ -78,25 +76,6 @@ vtkSmartPointer<vtkPolyData> nodeMesh(const Dump& dump, const TopTree& tree, std
     addVolumeArrays(*mesh->GetPointData(), tree.volumes, ids, true);
     addTreeFacts(*mesh, dump, tree);
     return mesh;
-}
-
-/// Large volumes are drawn more transparent, so that they do not hide the small ones: array "drawn" holds red, green, blue, opacity.
-void fade(vtkPolyData& mesh, const Dump& dump, std::span<const Corners> corners, const Coloring& coloring) {
-    const double diagonal = glm::length(dump.high() - dump.low());
-    vtkDataArray& values = *mesh.GetCellData()->GetArray(coloring.array.c_str());
-    vtkDataArray& casters = *mesh.GetCellData()->GetArray("caster");
-    vtkNew<vtkUnsignedCharArray> drawn;
-    drawn->SetName("drawn");
-    drawn->SetNumberOfComponents(4);
-    for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell) {
-        const Corners& t = corners[size_t(casters.GetComponent(cell, 0))];
-        const double size = std::sqrt(glm::length(glm::cross(t[1] - t[0], t[2] - t[0]))) / diagonal;
-        const double opacity = std::clamp(0.02 / std::max(size, 1e-9), 0.05, 0.75);
-        const unsigned char* colour = coloring.table->MapValue(values.GetComponent(cell, 0));
-        const unsigned char rgba[4] = {colour[0], colour[1], colour[2], static_cast<unsigned char>(255 * opacity)};
-        drawn->InsertNextTypedTuple(rgba);
-    }
-    mesh.GetCellData()->AddArray(drawn);
 }
 
 std::string leftOut(const TopTree& tree, size_t drawn) {

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "viz/volume_look.hpp"
 
+#include <vtkCellData.h>
+#include <vtkNew.h>
+#include <vtkUnsignedCharArray.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "viz/files.hpp"
 
@@ -51,6 +56,24 @@ void addVolumeArrays(vtkDataSetAttributes& target, std::span<const Volume> volum
     add("link", "", [](const Volume& v) { return uint32_t(v.link); });
     add("least_distance", "m", [](const Volume& v) { return v.leastDistance; });
     if (visits) add("visits", "visits", [](const Volume& v) { return uint32_t(std::min<uint64_t>(v.visits, 0xFFFFFFFFu)); });
+}
+
+void fade(vtkPolyData& mesh, const Dump& dump, std::span<const Corners> corners, const Coloring& coloring) {
+    const double diagonal = glm::length(dump.high() - dump.low());
+    vtkDataArray& values = *mesh.GetCellData()->GetArray(coloring.array.c_str());
+    vtkDataArray& casters = *mesh.GetCellData()->GetArray("caster");
+    vtkNew<vtkUnsignedCharArray> drawn;
+    drawn->SetName("drawn");
+    drawn->SetNumberOfComponents(4);
+    for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell) {
+        const Corners& t = corners[size_t(casters.GetComponent(cell, 0))];
+        const double size = std::sqrt(glm::length(glm::cross(t[1] - t[0], t[2] - t[0]))) / diagonal;
+        const double opacity = std::clamp(0.02 / std::max(size, 1e-9), 0.05, 0.75);
+        const unsigned char* colour = coloring.table->MapValue(values.GetComponent(cell, 0));
+        const unsigned char rgba[4] = {colour[0], colour[1], colour[2], static_cast<unsigned char>(255 * opacity)};
+        drawn->InsertNextTypedTuple(rgba);
+    }
+    mesh.GetCellData()->AddArray(drawn);
 }
 
 }  // namespace gno::viz

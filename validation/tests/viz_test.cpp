@@ -1,125 +1,19 @@
 // SPDX-License-Identifier: MIT
 // gnomon-viz: the VTK files it writes hold what the device counted, its pictures show something, and bad input ends in one line.
 #include <vtkCellData.h>
-#include <vtkDataArray.h>
-#include <vtkFieldData.h>
-#include <vtkImageData.h>
-#include <vtkInformation.h>
-#include <vtkInformationStringKey.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
 #include <vtkPointData.h>
-#include <vtkPolyData.h>
 #include <vtkXMLImageDataReader.h>
-#include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
-#include <cstring>
 #include <optional>
 
-#include "validation/tests/cli_child.hpp"
+#include "validation/tests/viz_look.hpp"
 #include "viz/display.hpp"
 
 namespace gno::test {
 namespace {
 
-namespace fs = std::filesystem;
-using host::test::Json;
 const std::vector<std::string> kTop{"d-psv", "psv", "d-stackless", "d-hybrid"};
-constexpr uint32_t kWidth = 96, kHeight = 64;
-
-void replaceFile(const fs::path& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
-
-std::vector<uint32_t> wordsOf(const fs::path& path) {
-    const std::string bytes = readFile(path);
-    std::vector<uint32_t> words(bytes.size() / 4);
-    std::memcpy(words.data(), bytes.data(), 4 * words.size());
-    return words;
-}
-
-/// Dumps of one scene, and gnomon-viz run on them. One thread: the counted run and the dumped one are then the same.
-class Look {
-public:
-    explicit Look(std::string scene) : scene_(std::move(scene)) {}
-
-    void shade(std::vector<std::string> more, const std::string& size = std::to_string(kWidth) + "x" + std::to_string(kHeight)) const {
-        more.insert(more.begin(), {scene_, "--size", size, "--dump", "--no-pictures"});
-        ChildOptions options;
-        options.environment = {{"LP_NUM_THREADS", "1"}};
-        expectDone(stage_.shade(more, options));
-    }
-    [[nodiscard]] fs::path file(const std::string& technique, const std::string& what, const std::string& precision = "certified") const {
-        return stage_.out() / (fs::path(scene_).stem().string() + "-l0-f000-" + technique + "." + precision + "-" + what);
-    }
-    [[nodiscard]] std::string dump(const std::string& technique, const std::string& precision = "certified") const { return file(technique, "dump.json", precision).string(); }
-    [[nodiscard]] Json record(const std::string& technique, const std::string& precision = "certified") const {
-        return Json::parse(readFile(dump(technique, precision)))["record"];
-    }
-    /// Into the folder of the dumps.
-    [[nodiscard]] Outcome viz(std::vector<std::string> arguments, std::map<std::string, std::string> environment = {}) const {
-        arguments.insert(arguments.end(), {"--out", stage_.out().string()});
-        ChildOptions options;
-        options.program = GNOMON_VIZ_PROGRAM;
-        options.environment = std::move(environment);
-        return stage_.run(arguments, options);
-    }
-    void refuses(std::vector<std::string> arguments, const std::string& part, std::map<std::string, std::string> environment = {}) const {
-        const auto before = stage_.left();
-        const Outcome outcome = viz(std::move(arguments), std::move(environment));
-        EXPECT_EQ(outcome.code, 2) << outcome.err;
-        EXPECT_EQ(linesOf(outcome.err).size(), 1u) << outcome.err;
-        EXPECT_TRUE(outcome.err.starts_with("gnomon-viz: ")) << outcome.err;
-        EXPECT_NE(outcome.err.find(part), std::string::npos) << "not said: " << part << "\nsaid: " << outcome.err;
-        EXPECT_EQ(stage_.left(), before);
-    }
-
-private:
-    Stage stage_;
-    std::string scene_;
-};
-
-vtkSmartPointer<vtkPolyData> meshIn(const fs::path& path) {
-    vtkNew<vtkXMLPolyDataReader> reader;
-    reader->SetFileName(path.c_str());
-    reader->Update();
-    EXPECT_EQ(reader->GetErrorCode(), 0u) << path;
-    return reader->GetOutput();
-}
-
-/// Sum over an array's values; -1 when there is none of that name, or its unit is another.
-double sumOf(vtkDataSetAttributes& data, const char* name, const char* unit = "") {
-    vtkDataArray* values = data.GetArray(name);
-    if (values == nullptr) return -1;
-    const char* label = values->GetInformation()->Get(vtkDataArray::UNITS_LABEL());
-    if (std::string(label == nullptr ? "" : label) != unit) return -1;
-    double sum = 0;
-    for (vtkIdType i = 0; i < values->GetNumberOfValues(); ++i) sum += values->GetComponent(i, 0);
-    return sum;
-}
-
-double factIn(vtkDataSet& data, const char* name) {
-    vtkDataArray* fact = data.GetFieldData()->GetArray(name);
-    return fact == nullptr ? -1 : fact->GetComponent(0, 0);
-}
-
-/// Some hundred different colours, and no side of the picture all of one.
-void expectPicture(const fs::path& path) {
-    vtkNew<vtkPNGReader> reader;
-    reader->SetFileName(path.c_str());
-    reader->Update();
-    vtkImageData& image = *reader->GetOutput();
-    const int* size = image.GetDimensions();
-    ASSERT_GT(size[0], 100) << path;
-    std::set<uint32_t> colours;
-    for (int y = 0; y < size[1]; ++y)
-        for (int x = 0; x < size[0]; ++x) {
-            const auto* pixel = static_cast<const uint8_t*>(image.GetScalarPointer(x, y, 0));
-            colours.insert(uint32_t(pixel[0]) << 16 | uint32_t(pixel[1]) << 8 | pixel[2]);
-        }
-    EXPECT_GT(colours.size(), 100u) << path;
-}
-
-uint64_t counter(const Json& record, const char* name) { return record["counters"][name]; }
 
 /// What differs between the tree that was written and the device's counters; empty: nothing.
 std::string differences(vtkPolyData& nodes, const Json& record) {
@@ -271,23 +165,10 @@ TEST_F(VizSmall, BadInput) {
     look().refuses({"tree", tree, "--interactive"}, "no display", {{"DISPLAY", ":987"}});
 }
 
-/// Each damage is undone.
 TEST_F(VizSmall, DamagedDumps) {
-    const auto damage = [&](const fs::path& path, auto change, const std::vector<std::string>& command, const std::string& part) {
-        const std::string whole = readFile(path);
-        replaceFile(path, change(whole));
-        look().refuses(command, part);
-        replaceFile(path, whole);
-    };
     const std::vector<std::string> tree{"tree", look().dump("psv")}, clusters{"clusters", look().dump("ptsv")}, samples{"samples", look().dump("psv")};
-    const auto setWord = [](size_t index, uint32_t value) {
-        return [=](std::string bytes) {
-            std::memcpy(bytes.data() + 4 * index, &value, 4);
-            return bytes;
-        };
-    };
-    damage(look().file("psv", "links.bin"), [](const std::string& bytes) { return bytes.substr(0, bytes.size() - 4); }, tree, "links");
-    damage(look().dump("psv"), [](const std::string& text) { return text.substr(0, text.size() / 2); }, tree, "not the index");
+    look().refusesDamaged(look().file("psv", "links.bin"), withoutLastWord, tree, "links");
+    look().refusesDamaged(look().dump("psv"), firstHalf, tree, "not the index");
 
     // A subtree taken out, a link that leads back to the root, a link that leads nowhere.
     const auto links = wordsOf(look().file("psv", "links.bin"));
@@ -297,23 +178,16 @@ TEST_F(VizSmall, DamagedDumps) {
         for (uint32_t which = 0; which < 2 && link == 0; ++which)
             if (links[4 * (root + place) + which] != 0xFFFFFFFFu) link = 4 * (root + place) + which;
     ASSERT_GT(link, 0u);
-    damage(look().file("psv", "links.bin"), setWord(link, 0xFFFFFFFFu), tree, "the record counted");
-    damage(look().file("psv", "links.bin"), setWord(link, root), tree, "twice");
-    damage(look().file("psv", "links.bin"), setWord(link, 4 * 1000000), tree, "broken");
+    look().refusesDamaged(look().file("psv", "links.bin"), setWord(link, 0xFFFFFFFFu), tree, "the record counted");
+    look().refusesDamaged(look().file("psv", "links.bin"), setWord(link, root), tree, "twice");
+    look().refusesDamaged(look().file("psv", "links.bin"), setWord(link, 4 * 1000000), tree, "broken");
 
     // A node taken out, a count changed.
     const auto masks = wordsOf(look().file("ptsv", "masks_built.bin"));
-    damage(look().file("ptsv", "masks_built.bin"), setWord(0, masks[0] & (masks[0] - 1)), clusters, "");
-    const auto raise = [](const char* what, const char* name) {
-        return [=](const std::string& text) {
-            Json index = Json::parse(text);
-            index["record"][what][name] = index["record"][what][name].get<uint64_t>() + 1;
-            return index.dump();
-        };
-    };
-    damage(look().dump("ptsv"), raise("counters", "occupied_nodes"), clusters, "the record counted");
-    damage(look().dump("psv"), raise("counters", "visited_nodes"), tree, "the record counted");
-    damage(look().dump("psv"), raise("check", "wrong"), samples, "its record says");
+    look().refusesDamaged(look().file("ptsv", "masks_built.bin"), setWord(0, masks[0] & (masks[0] - 1)), clusters, "");
+    look().refusesDamaged(look().dump("ptsv"), raise("counters", "occupied_nodes"), clusters, "the record counted");
+    look().refusesDamaged(look().dump("psv"), raise("counters", "visited_nodes"), tree, "the record counted");
+    look().refusesDamaged(look().dump("psv"), raise("check", "wrong"), samples, "its record says");
     expectDone(look().viz({"clusters", look().dump("ptsv")}));
 }
 
