@@ -24,7 +24,7 @@ std::string mostOf(const Forest& forest, const std::string& color) {
     const uint32_t cell = color == "casters" ? forest.fullestCell() : forest.dearestCell();
     const ForestCell& own = forest.cells[cell];
     if (color == "casters") return fmt::format("{} casters, {}", grouped(own.casters), cellName(forest, cell));
-    return fmt::format("{:.1f} visited nodes, {}", own.visitsPerSample(), cellName(forest, cell));
+    return fmt::format("{:.1f} visited nodes a sample, {}", own.visitsPerSample(), cellName(forest, cell));
 }
 
 std::string leftOut(const CellTree& tree, size_t drawn) {
@@ -55,7 +55,7 @@ public:
             addBall(picture_.panel(panel), lightMarkOf(dump), 0.012 * glm::length(dump.high() - dump.low()) * dump.metres(), kYellow);
         }
         addMesh(picture_.panel(0), *meshOf(dump, corners, largestCasters(corners, 20000)), {.colour = kPale, .opacity = 0.25, .outlines = true, .lit = false, .lineWidth = 0.5});
-        addLegend(picture_, 1, options.color, coloring_);
+        addLegend(picture_, options.color == "kind" ? 0 : 1, options.color, coloring_);  // kinds stand in a corner, and here is room for them
         picture_.panelTitle(0, "the cell's casters in the scene");
         picture_.panelTitle(1, "their parts inside the cell");
         picture_.lookAt(dump, options.view, boxOf(dump), {0});
@@ -69,7 +69,7 @@ public:
         const auto whole = casterMesh(dump_, tree_, corners_, count);
         fade(*whole, dump_, corners_, coloring_);
         drawn_ = {addMesh(picture_.panel(0), *whole, {.lit = false}, "drawn"),
-                  addMesh(picture_.panel(1), *partMesh(dump_, tree_, count), {.edges = count > 2000 ? 0.0 : 0.6, .lit = false}, coloring_.array, coloring_.table)};
+                  addMesh(picture_.panel(1), *partMesh(dump_, tree_, count), {.edges = count > 500 ? 0.0 : 0.6, .lit = false}, coloring_.array, coloring_.table)};
     }
     Picture& picture() { return picture_; }
 

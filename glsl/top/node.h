@@ -12,7 +12,7 @@
 // holds 2,097,152 casters, and what never changes is apart from what the build changes.
 //
 //   array    bytes        written by                       read by
-//   planes   64 n         set-up                           build, queries
+//   planes   64 n         set-up                           build, queries; or there are none, and both compute them anew (GNO_TOP_STORE_PLANES 0 in build.glsl)
 //   links    64 n         set-up; build (atomics only)     build (atomics only), queries
 //   slabs    64 n         set-up; build (atomics only)     queries; only where there are any (GNO_TOP_SLABS in build.glsl)
 //   header   16           set-up; build (atomics only)     queries

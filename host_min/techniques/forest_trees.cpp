@@ -50,7 +50,7 @@ ForestTrees::ForestTrees(const FrameInputs& inputs, const ForestOptions& options
         throw InputError(fmt::format("--set pool={}: the forest needs {} pairs of cell and caster: use a larger pool, or 0", options.pool, found_.pairs));
     const uint64_t capacity = options.pool > 0 ? options.pool : found_.pairs;
     assignment_.setPool(capacity);
-    planes_ = Buffer(inputs.device(), topPlaneBytes(capacity));
+    if (options.storePlanes) planes_ = Buffer(inputs.device(), topPlaneBytes(capacity));
     links_ = Buffer(inputs.device(), topLinkBytes(capacity));
     if (options.slab) slabs_ = Buffer(inputs.device(), topSlabBytes(capacity));
     if (options.counters) {
@@ -127,7 +127,7 @@ void ForestTrees::recordTrees(Recording& recording, const Buffer* totals) const 
     if (totals) all.push_back({"gnoTotals", totals});
     const auto overPairs = [&](const char* name) {
         inputs_.passes()
-            .compute(std::string("forest/examples/") + name, {{0, uint32_t(options_.precision)}, {3, options_.slab}})
+            .compute(std::string("forest/examples/") + name, {{0, uint32_t(options_.precision)}, {3, options_.slab}, {4, options_.storePlanes}})
             .dispatchIndirect(recording, all, bytes, assignment_.header(), offsetof(GnoForestHeader, groupsOfPairs));
     };
     recording.beginPass("forest_setup_emit");
@@ -142,18 +142,20 @@ void ForestTrees::recordTrees(Recording& recording, const Buffer* totals) const 
 }
 
 NamedNumbers ForestTrees::bytes() const {
-    return {{"trees", planes_.bytes() + links_.bytes() + (options_.slab ? slabs_.bytes() : 0)}, {"cells", assignment_.cellBytes()},
+    return {{"trees", (options_.storePlanes ? planes_.bytes() : 0) + links_.bytes() + (options_.slab ? slabs_.bytes() : 0)},
+            {"cells", assignment_.cellBytes()},
             {"pairs", assignment_.pool().bytes()},
             {"casters", assignment_.casterBytes()}};
 }
 
 std::vector<DumpedBuffer> ForestTrees::dump() const {
-    return {{"grid", "GnoForestGrid", assignment_.grid().download()},
-            {"cells", "GnoForestCell cell[]", assignment_.cells().download()},
-            {"pairs", "GnoForestPair pair[]", assignment_.pool().download()},
-            {"forest_header", "GnoForestHeader", assignment_.header().download()},
-            {"planes", "vec4 plane[4 * pairs]", planes_.download()},
-            {"links", "GnoTopLink link[4 * pairs]", links_.download()}};
+    std::vector<DumpedBuffer> all{{"grid", "GnoForestGrid", assignment_.grid().download()},
+                                  {"cells", "GnoForestCell cell[]", assignment_.cells().download()},
+                                  {"pairs", "GnoForestPair pair[]", assignment_.pool().download()},
+                                  {"forest_header", "GnoForestHeader", assignment_.header().download()},
+                                  {"links", "GnoTopLink link[4 * pairs]", links_.download()}};
+    if (options_.storePlanes) all.push_back({"planes", "vec4 plane[4 * pairs]", planes_.download()});
+    return all;
 }
 
 }  // namespace gno::host

@@ -3,7 +3,9 @@
 // SPDX-License-Identifier: MIT
 // Way B: our buffers, other sets and bindings; every option of the query at another value.
 layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
+layout(constant_id = 9) const uint kStorePlanes = 0u;
 #define GNO_LIGHT push.light
+#define GNO_TOP_STORE_PLANES kStorePlanes
 #define GNO_TOP_SHORT_STACK_SIZE 1
 #define GNO_CORE_SET 2
 #define GNO_CORE_BINDING_CASTERS 7

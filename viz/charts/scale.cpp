@@ -62,7 +62,7 @@ void Scale::makeLog(const Axis& axis, double least, double greatest, bool hasZer
     zero_ = !axis.zeroRow.empty() && hasZero;
     if (zero_) {
         low_ = std::floor(low_ + 1e-9);
-        const double row = axis.zeroShare * span;
+        const double row = axis.zeroShare * (high_ - low_);
         zeroPlace_ = low_ - row;
         ticks_.emplace_back(zeroPlace_, axis.zeroRow);
     }

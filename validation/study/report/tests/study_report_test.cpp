@@ -190,17 +190,39 @@ TEST(Charts, Scales) {
     EXPECT_FALSE(scale.place(-1));
     EXPECT_FALSE(scale.place(std::nan("")));
     for (size_t i = 1; i < scale.ticks().size(); ++i) EXPECT_GT(scale.ticks()[i].first, scale.ticks()[i - 1].first);
+    axis.zeroShare = 0.5;
+    for (const double value : {3.0, 830.0, 99999.0}) {  // whatever the decades are, the row for zero is 1.2 of their 1 + 1.6 shares: who fills it relies on that
+        const viz::Scale one(axis, std::vector{0.0, value});
+        EXPECT_NEAR((*one.zeroLine() - one.low()) / (one.high() - one.low()), 1.2 * 0.5 / (1 + 1.6 * 0.5), 1e-12) << value;
+    }
     axis.zeroRow.clear();
     EXPECT_FALSE(viz::Scale(axis, std::vector{0.0, 3.0}).place(0));
     EXPECT_FALSE(viz::Scale(axis, std::vector{1.0, 1.0}).ticks().empty()) << "one value has a scale, too";
 }
 
+/// CIE Lab under D65.
+std::array<double, 3> labOf(const viz::Color& color) {
+    std::array<double, 3> linear{};
+    for (size_t i = 0; i < 3; ++i) {
+        const double value = color[i] / 255.0;
+        linear[i] = value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    }
+    const auto [r, g, b] = linear;
+    const auto root = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; };
+    const double x = root((0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505), y = root(0.2126 * r + 0.7152 * g + 0.0722 * b),
+                 z = root((0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.089);
+    return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
 TEST(Charts, ColorsStayAndDiffer) {
-    const std::vector<std::string> names{"psv", "d-psv", "d-hybrid", "ptsv", "clusters", "shadow-map", "embree"};
+    const std::vector<std::string> names{"psv", "d-psv", "d-stackless", "d-hybrid", "forest", "light-bvh", "light-grid", "ptsv", "ptsv-2011", "ray-query", "shadow-map", "embree"};
     const auto colors = viz::colorsOf(names);
-    std::set<viz::Color> distinct;
-    for (const auto& [name, color] : colors) distinct.insert(color);
-    EXPECT_EQ(distinct.size(), names.size());
+    for (const auto& [name, color] : colors)
+        for (const auto& [other, otherColor] : colors) {
+            if (name >= other) continue;
+            const auto a = labOf(color), b = labOf(otherColor);
+            EXPECT_GT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 25) << name << ", " << other;  // 2 is the least that is seen
+        }
     auto more = names;
     more.push_back("zz-new");  // the last in the alphabet takes no colour from anybody
     for (const auto& [name, color] : colors) EXPECT_EQ(viz::colorsOf(more).at(name), color) << name;
