@@ -58,6 +58,6 @@ layout(set = GNO_FOREST_SET, binding = GNO_FOREST_BINDING_FEW, std430) buffer Gn
 #if GNO_FOREST_TREES
 #define GNO_TOP_CASTER_OF(block_) gnoForestPairs.v[block_].caster
 #define GNO_TOP_ROOT_OF(block_) gnoForestCells.v[gnoForestPairs.v[block_].cell].root
-#define GNO_TOP_FIND_ROOT(q_) gnoForestCells.v[gnoCellOf(GNO_LIGHT, gnoForestGrid.v, q_)].root
+#define GNO_TOP_FIND_ROOT(q_) gnoForestRoot(gnoForestCells.v[gnoCellOf(GNO_LIGHT, gnoForestGrid.v, q_)], gnoLightDepth(GNO_LIGHT, q_))
 #endif
 #endif

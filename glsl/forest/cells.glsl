@@ -2,11 +2,13 @@
 // gnomon forest/cells.glsl : which cell of the light's grid a view sample lies in, and which cells a caster's shadow volume may meet.
 //
 //   vec3  gnoCellPlace(vec4 light, GnoForestGrid grid, uint face, vec3 q)      on a face: x and y over z, z > 0 in front of it; directional: z = 1
-//   uint  gnoCellOf(vec4 light, GnoForestGrid grid, vec3 q)                    the cell of a point
+//   uvec3 gnoCellAt(vec4 light, GnoForestGrid grid, vec3 q)                    the cell of a point: column, row, face
+//   uint  gnoCellOf(vec4 light, GnoForestGrid grid, vec3 q)                    its index; resolution up to 16384
 //   GnoCellVolume gnoCellVolume(vec4 light, GnoCaster t, int facing)           what the functions below want to know of a caster
 //   GnoCellVolume gnoCellSight(vec4 light, GnoCaster t)                        the same without planes, for gnoCellRectangle alone: cheaper
 //   uvec4 gnoCellRectangle(vec4 light, GnoForestGrid grid, uint face, GnoCellVolume v)           columns x .. z-1, rows y .. w-1: no other cell of the face can be met
 //   bool  gnoCellMissed(vec4 light, GnoForestGrid grid, uint face, uvec2 at, GnoCellVolume v)    true: the shadow volume certainly meets no point of the cell
+//   uint  gnoForestRoot(GnoForestCell cell, float depth)                       root of the tree to ask for a point of the cell at that gnoLightDepth, or GNO_TOP_IN_SHADOW (5)
 //   bool  gnoCellCovered(vec4 light, GnoForestGrid grid, uint face, uvec2 at, GnoCellVolume v)   true: see 5
 //
 // Space      light coordinates, q = gnoFromLight(p); facing = gnoFacing(light, t), never 0
@@ -20,6 +22,7 @@
 //    errs by 2u, the division by the step by 5u, in units of x/z: a point of cell i has exactly x/z in [bound(i) - 2E, bound(i+1) + 2E], also where the index was clamped.
 //    Directional: x = U.p errs by 4uS (S = GNO_SCENE_RADIUS), the subtraction by 2uS, the division by 5uS: less than 2ES in all. The
 //    cells at the border hold what lies beyond it, too: casters and samples alike are clamped into them, and their corners lie at -2 and 2, farther than any sample.
+//    None of these errors depends on the resolution: they are counted in x/z, not in cells. Up to 65536 cells an index is exact in fp32 and fits 16 bits.
 // 2. A cell's pyramid (prism). Its corners are taken at bound - 6E and bound + 6E (directional: 6ES), rounded: it holds every point of the cell.
 // 3. Rectangle. Where z > 0 at all three vertices (a difference of two numbers has the exact sign) the volume has exactly x/z between the vertices' least and greatest,
 //    whose computed values err by 5u of themselves. If the volume meets cell i, the least is below bound(i+1) + 2E, computed below bound(i+1) + 3E; it is looked up
@@ -34,7 +37,8 @@
 //    normal in the grid's axes errs by 4u each, times at most 2S, so 16uS more than 6ES, and as much when a sign near zero is wrong: 10ES.
 // 5. Covered. All four corners on the negative side of all three lateral planes by that margin, none of them a substitute (it does not bound the caster): each direction of
 //    the cell passes through the open caster. A view sample of the cell is then behind the caster, in its shadow; or it is in front of it or on it, and no farther
-//    from the light than `most`. A caster that starts beyond `most` decides neither, as long as the covering one stays in the cell. (A sample that lies on the covering
+//    from the light than `most`. A caster that starts beyond `most` decides neither, as long as the covering one stays in the cell. A sample whose computed depth is beyond `most` is strictly behind the covering caster and not on it:
+//    in its shadow. (A sample that lies on the covering
 //    caster is on the light's side of it: gnoMakeViewSample.)
 #ifndef GNO_FOREST_CELLS_GLSL
 #define GNO_FOREST_CELLS_GLSL
@@ -52,10 +56,10 @@ GNO_INLINE vec3 gnoCellPlace(vec4 light_, GnoForestGrid grid_, uint face_, vec3 
 GNO_INLINE uint gnoCellIndex_(float place_, float least_, float step_, uint resolution_) {
     float at_ = (place_ - least_) / step_;
     if (!(at_ > 0.0f)) return 0u;  // not a number: the point is the light
-    return min(uint(at_), resolution_ - 1u);
+    return uint(min(at_, float(resolution_ - 1u)));
 }
 
-GNO_INLINE uint gnoCellOf(vec4 light_, GnoForestGrid grid_, vec3 q_) {
+GNO_INLINE uvec3 gnoCellAt(vec4 light_, GnoForestGrid grid_, vec3 q_) {
     vec3 far_ = abs(q_);
     uint face_ = 0u;
     if (light_.w != 0.0f) {
@@ -64,7 +68,12 @@ GNO_INLINE uint gnoCellOf(vec4 light_, GnoForestGrid grid_, vec3 q_) {
     vec3 place_ = gnoCellPlace(light_, grid_, face_, q_);
     uint x_ = gnoCellIndex_(place_.x / place_.z, grid_.across.w, grid_.stepAcross, grid_.resolution);
     uint y_ = gnoCellIndex_(place_.y / place_.z, grid_.along.w, grid_.stepAlong, grid_.resolution);
-    return (face_ * grid_.resolution + y_) * grid_.resolution + x_;
+    return uvec3(x_, y_, face_);
+}
+
+GNO_INLINE uint gnoCellOf(vec4 light_, GnoForestGrid grid_, vec3 q_) {
+    uvec3 at_ = gnoCellAt(light_, grid_, q_);
+    return (at_.z * grid_.resolution + at_.y) * grid_.resolution + at_.x;
 }
 
 GNO_INLINE float gnoCellSlack_(vec4 light_) { return light_.w == 0.0f ? 6.0f * GNO_BAND * GNO_SCENE_RADIUS : 6.0f * GNO_BAND; }
@@ -200,6 +209,8 @@ GNO_INLINE bool gnoCellCovered(vec4 light_, GnoForestGrid grid_, uint face_, uve
     return gnoCellLeastSide_(light_, grid_, face_, at_, v_.ab, -1.0f) > margin_ && gnoCellLeastSide_(light_, grid_, face_, at_, v_.bc, -1.0f) > margin_ &&
            gnoCellLeastSide_(light_, grid_, face_, at_, v_.ca, -1.0f) > margin_;
 }
+
+GNO_INLINE uint gnoForestRoot(GnoForestCell cell_, float depth_) { return floatBitsToUint(depth_) > cell_.cover ? GNO_TOP_IN_SHADOW : cell_.root; }
 
 GNO_NAMESPACE_END
 #endif

@@ -33,7 +33,7 @@ struct GnoForestGrid {   // std140 and std430, 48 bytes
     vec4 along;          // 16  the same for the other axis, at a right angle to the first and to the light
     float stepAcross;    // 32  width of a cell; point: 2 / resolution
     float stepAlong;     // 36
-    uint resolution;     // 40  cells along an edge of a face, a power of two in 1 .. 1024
+    uint resolution;     // 40  cells along an edge of a face, a power of two in 1 .. 65536; what has an array of cells stays below 16384
     uint faces;          // 44  6 point, 1 directional
 };
 GNO_STRUCT_SIZE(GnoForestGrid, 48)

@@ -27,14 +27,21 @@
 // Space      casters on the scene grid; facing = gnoFacing(light, caster), exact
 // Stages     any with storage buffers; no barrier, no shared memory, may diverge
 // Requires   #version 450, no extension
-// Reads      casters, planes; dispatch 2 reads links by atomics only
-// Writes     planes, links, header
+// Reads      casters, planes; dispatch 2 reads links and slabs by atomics only, but for what dispatch 1 alone writes
+// Writes     planes where they are kept, links, header; slabs where there are any
 // Cost       20 steps per caster and an atomic per step, about (random order, 100,000 casters)
 //
+// With GNO_TOP_STORE_PLANES 0 a volume takes 64 bytes, not 128: its links. Each step then computes the node's plane anew from its owner's vertices and flags (gnoTopPlane in
+// plane.glsl), with the same bits, so it is the same tree.
+//
 // Macro                     required  default                   meaning
-// GNO_TOP_PLANES            yes       -                         array of vec4, 4 per caster
+// GNO_TOP_PLANES            yes       -                         array of vec4, 4 per caster; not where GNO_TOP_STORE_PLANES is 0
+// GNO_TOP_STORE_PLANES      no        1                         0: planes are not kept, the queries have to compute them as well; may be a specialization constant where
+//                                                               there is GNO_TOP_PLANES, which then is left alone
 // GNO_TOP_LINKS             yes       -                         array of GnoTopLink in a storage buffer, 4 per caster
 // GNO_TOP_HEADER            yes       -                         GnoTopHeader in a storage buffer; not where GNO_TOP_ROOT_OF is given
+// GNO_TOP_SLABS             no        -                         array of GnoTopSlab in a storage buffer, 4 per caster: bounds of the children, for the queries; not for `published`
+// GNO_TOP_SLAB              no        1                         with GNO_TOP_SLABS: 0: leave it alone; may be a specialization constant
 // GNO_TOP_ROOT_OF(block)    no        GNO_TOP_HEADER.root       uint in a storage buffer: the root of the tree that block belongs to
 // GNO_TOP_CASTER_OF(block)  no        (block)                   the caster of a block
 // GNO_LIGHT                 yes       -                         vec4, homogeneous (core/light.glsl)
@@ -44,7 +51,10 @@
 #define GNO_TOP_BUILD_GLSL
 #include "../core/counters.glsl"
 #include "plane.glsl"
-#if !defined(GNO_TOP_PLANES) || !defined(GNO_TOP_LINKS) || !(defined(GNO_TOP_HEADER) || defined(GNO_TOP_ROOT_OF))
+#ifndef GNO_TOP_STORE_PLANES
+#define GNO_TOP_STORE_PLANES 1
+#endif
+#if (!defined(GNO_TOP_PLANES) && GNO_TOP_STORE_PLANES) || !defined(GNO_TOP_LINKS) || !(defined(GNO_TOP_HEADER) || defined(GNO_TOP_ROOT_OF))
 #error "top/build.glsl: define GNO_TOP_PLANES, GNO_TOP_LINKS and GNO_TOP_HEADER or include top/bindings.glsl before this file"
 #endif
 #ifndef GNO_LIGHT
@@ -55,6 +65,9 @@
 #endif
 #ifndef GNO_TOP_ROOT_OF
 #define GNO_TOP_ROOT_OF(block_) GNO_TOP_HEADER.root
+#endif
+#ifndef GNO_TOP_SLAB
+#define GNO_TOP_SLAB 1
 #endif
 #ifndef GNO_TOP_CASTER_OF
 #define GNO_TOP_CASTER_OF(block_) (block_)
@@ -72,6 +85,23 @@ GNO_INLINE bool gnoTopTouches_(vec3 v_, GnoCaster owner_, uint place_) {
     return v_ == first_ || v_ == second_;
 }
 
+#ifdef GNO_TOP_SLABS
+// A caster goes to the positive child: its distance, and (not for a cap) its sides.
+GNO_INLINE void gnoTopWidenPositive_(uint node_, vec3 sides_, vec3 scales_, float depth_, float spread_) {
+    atomicMin(GNO_TOP_SLABS[node_].positiveDepth, floatBitsToUint(depth_));
+    if ((node_ & 3u) == 3u) return;
+    uint slab_ = gnoTopPositive(GNO_LIGHT, sides_, scales_, depth_, spread_);
+    uint expected_ = 0u;
+    for (;;) {
+        uint wider_ = gnoTopWidest(expected_, slab_);
+        if (wider_ == expected_) return;
+        uint found_ = atomicCompSwap(GNO_TOP_SLABS[node_].positive, expected_, wider_);
+        if (found_ == expected_) return;
+        expected_ = found_;
+    }
+}
+#endif
+
 // Both bounds of a node only grow; the halves of one word grow together by compare-and-swap.
 GNO_INLINE void gnoTopWiden_(uint node_, uint wedge_) {
     if (GNO_PRECISION == GNO_PRECISION_PUBLISHED) {
@@ -86,6 +116,14 @@ GNO_INLINE void gnoTopWiden_(uint node_, uint wedge_) {
         if (found_ == expected_) return;
         expected_ = found_;
     }
+}
+
+// Of a volume whose flags are written (gnoTopSetUp).
+GNO_INLINE vec4 gnoTopPlaneOf_(uint node_) {
+#ifdef GNO_TOP_PLANES
+    if (GNO_TOP_STORE_PLANES != 0) return GNO_TOP_PLANES[node_];
+#endif
+    return gnoTopPlane(GNO_LIGHT, GNO_LOAD_CASTER(GNO_TOP_CASTER_OF(node_ >> 2)), node_ & 3u, GNO_TOP_LINKS[(node_ & ~3u) + 2u].aux, GNO_PRECISION);
 }
 
 GNO_INLINE void gnoTopSetUp(uint block_, int facing_) {
@@ -104,18 +142,32 @@ GNO_INLINE void gnoTopSetUp(uint block_, int facing_) {
     GNO_TOP_LINKS[first_ + 3u].aux = floatBitsToUint(reach_);
     uint flags_ = uint(facing_ + 1);
     for (uint place_ = 0u; place_ < 3u; ++place_) {
-        vec3 a_ = place_ == 0u ? t_.a : place_ == 1u ? t_.b : t_.c;
-        vec3 b_ = place_ == 0u ? t_.b : place_ == 1u ? t_.c : t_.a;
         vec4 substitute_;
-        if (GNO_PRECISION == GNO_PRECISION_CERTIFIED && gnoTopSubstitute(GNO_LIGHT, t_, place_, substitute_)) {
-            GNO_TOP_PLANES[first_ + place_] = substitute_;
-            flags_ |= GNO_TOP_SUBSTITUTE << place_;
-        } else {
-            GNO_TOP_PLANES[first_ + place_] = gnoTopLateralPlane(GNO_LIGHT, a_, b_, facing_, GNO_PRECISION);
-        }
+        if (GNO_PRECISION == GNO_PRECISION_CERTIFIED && gnoTopSubstitute(GNO_LIGHT, t_, place_, substitute_)) flags_ |= GNO_TOP_SUBSTITUTE << place_;
     }
     GNO_TOP_LINKS[first_ + 2u].aux = flags_;
-    GNO_TOP_PLANES[first_ + 3u] = gnoTopCapPlane(GNO_LIGHT, t_, facing_, GNO_PRECISION);
+#ifdef GNO_TOP_PLANES
+    if (GNO_TOP_STORE_PLANES != 0) {
+        for (uint i_ = 0u; i_ < 4u; ++i_) GNO_TOP_PLANES[first_ + i_] = gnoTopPlane(GNO_LIGHT, t_, i_, flags_, GNO_PRECISION);
+    }
+#endif
+#ifdef GNO_TOP_SLABS
+    if (GNO_TOP_SLAB != 0) {
+        vec3 q0_ = gnoFromLight(GNO_LIGHT, t_.a);
+        vec3 q1_ = gnoFromLight(GNO_LIGHT, t_.b);
+        vec3 q2_ = gnoFromLight(GNO_LIGHT, t_.c);
+        vec3 scales_ = vec3(gnoLightScale(GNO_LIGHT, q0_), gnoLightScale(GNO_LIGHT, q1_), gnoLightScale(GNO_LIGHT, q2_));
+        float spread_ = gnoTopSpread(GNO_LIGHT, q0_, q1_, q2_);
+        for (uint i_ = 0u; i_ < 4u; ++i_) {
+            vec4 plane_ = gnoTopPlaneOf_(first_ + i_);
+            vec3 sides_ = vec3(gnoTopSide(plane_, q0_), gnoTopSide(plane_, q1_), gnoTopSide(plane_, q2_));
+            GNO_TOP_SLABS[first_ + i_].positive = 0u;
+            GNO_TOP_SLABS[first_ + i_].negative = floatBitsToUint(gnoTopNegative(GNO_LIGHT, sides_, scales_, depth_, spread_));
+            GNO_TOP_SLABS[first_ + i_].positiveDepth = floatBitsToUint(GNO_TOP_NO_BOUND);
+            GNO_TOP_SLABS[first_ + i_].intersectionDepth = floatBitsToUint(GNO_TOP_NO_BOUND);
+        }
+    }
+#endif
 }
 
 GNO_INLINE bool gnoTopInsert(uint block_) {
@@ -135,8 +187,13 @@ GNO_INLINE bool gnoTopInsert(uint block_) {
     while (node_ != GNO_TOP_NONE) {
         GNO_COUNT(buildSteps, 1u);
         bool cap_ = (node_ & 3u) == 3u;
-        if ((node_ & 3u) == 0u) atomicMin(GNO_TOP_LINKS[node_].aux, depthBits_);
-        vec4 plane_ = GNO_TOP_PLANES[node_];
+#ifdef GNO_TOP_SLABS
+        bool slab_ = GNO_TOP_SLAB != 0;
+#else
+        bool slab_ = false;
+#endif
+        if ((node_ & 3u) == 0u && !slab_) atomicMin(GNO_TOP_LINKS[node_].aux, depthBits_);
+        vec4 plane_ = gnoTopPlaneOf_(node_);
         vec3 sides_ = vec3(gnoTopSide(plane_, q0_), gnoTopSide(plane_, q1_), gnoTopSide(plane_, q2_));
         vec3 margins_ = vec3(0.0f);
         if (GNO_PRECISION != GNO_PRECISION_PUBLISHED) {
@@ -164,14 +221,24 @@ GNO_INLINE bool gnoTopInsert(uint block_) {
                 GNO_COUNT(dropped, 1u);
                 return false;
             }
+#ifdef GNO_TOP_SLABS
+            if (slab_ && cap_) gnoTopWidenPositive_(node_, sides_, scales_, depth_, spread_);
+            if (slab_ && !cap_) atomicMax(GNO_TOP_SLABS[node_].negative, floatBitsToUint(gnoTopNegative(GNO_LIGHT, sides_, scales_, depth_, spread_)));
+#endif
             node_ = cap_ ? atomicCompSwap(GNO_TOP_LINKS[node_].positiveChild, GNO_TOP_NONE, first_) : node_ + 1u;
         } else if (above_) {
+#ifdef GNO_TOP_SLABS
+            if (slab_) gnoTopWidenPositive_(node_, sides_, scales_, depth_, spread_);
+#endif
             node_ = atomicCompSwap(GNO_TOP_LINKS[node_].positiveChild, GNO_TOP_NONE, first_);
         } else {
             GNO_COUNT(intersections, 1u);
             if (!cap_) {  // the capping plane does not pass through the light: it has no wedge
                 gnoTopWiden_(node_, gnoTopWedge(GNO_LIGHT, sides_, scales_, depth_, spread_, GNO_PRECISION));
             }
+#ifdef GNO_TOP_SLABS
+            if (slab_) atomicMin(GNO_TOP_SLABS[node_].intersectionDepth, depthBits_);
+#endif
             ancestor_ = node_;
             node_ = atomicCompSwap(GNO_TOP_LINKS[node_].intersectionChild, GNO_TOP_NONE, first_);
         }

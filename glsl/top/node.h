@@ -12,8 +12,9 @@
 // holds 2,097,152 casters, and what never changes is apart from what the build changes.
 //
 //   array    bytes        written by                       read by
-//   planes   64 n         set-up                           build, queries
+//   planes   64 n         set-up                           build, queries; or there are none, and both compute them anew (GNO_TOP_STORE_PLANES 0 in build.glsl)
 //   links    64 n         set-up; build (atomics only)     build (atomics only), queries
+//   slabs    64 n         set-up; build (atomics only)     queries; only where there are any (GNO_TOP_SLABS in build.glsl)
 //   header   16           set-up; build (atomics only)     queries
 //
 // GnoTopLink::aux holds one thing per volume, by the node's place in it:
@@ -27,6 +28,7 @@
 GNO_NAMESPACE_BEGIN
 
 GNO_CONST uint GNO_TOP_NONE = 0xFFFFFFFFu;  // no child, no ancestor, empty tree
+GNO_CONST uint GNO_TOP_IN_SHADOW = 0xFFFFFFFEu;  // in place of a root (GNO_TOP_FIND_ROOT): the point is in shadow, no tree need be asked
 
 GNO_CONST uint GNO_TOP_SUBSTITUTE = 4u;     // << place, in the aux of a volume's third node
 GNO_CONST uint GNO_TOP_SUBSTITUTES = 28u;   // any of them
@@ -50,6 +52,17 @@ struct GnoTopHeader {        // std430, 16 bytes
 };
 GNO_STRUCT_SIZE(GnoTopHeader, 16)
 
+struct GnoTopSlab {          // std430, 16 bytes: what a node knows of its children, so that one which cannot matter is not loaded; bounds as in plane.glsl, 9
+    uint positive;           //  0  the positive child's volumes lie between two numbers: gnoTopPositive. Unused in a cap
+    uint negative;           //  4  float bits of gnoTopNegative over the owner and all behind its next plane. Unused in a cap
+    uint positiveDepth;      //  8  least depth of the casters in the positive child, float bits
+    uint intersectionDepth;  // 12  and in the intersection child
+};
+GNO_STRUCT_SIZE(GnoTopSlab, 16)
+GNO_STRUCT_OFFSET(GnoTopSlab, negative, 4)
+GNO_STRUCT_OFFSET(GnoTopSlab, positiveDepth, 8)
+GNO_STRUCT_OFFSET(GnoTopSlab, intersectionDepth, 12)
+
 struct GnoTopNode {          // a value: one node as a query sees it
     vec4 plane;              // xyz normal towards the positive side, w offset; in the coordinates of gnoFromLight
     uint positiveChild;
@@ -63,6 +76,7 @@ inline constexpr uint kTopGroupSize = 64;  ///< invocations per work group of se
 constexpr uint topGroupCount(uint casterCount) { return (casterCount + kTopGroupSize - 1) / kTopGroupSize; }
 constexpr std::uint64_t topPlaneBytes(std::uint64_t casterCount) { return 64 * (casterCount > 0 ? casterCount : 1); }
 constexpr std::uint64_t topLinkBytes(std::uint64_t casterCount) { return 64 * (casterCount > 0 ? casterCount : 1); }
+constexpr std::uint64_t topSlabBytes(std::uint64_t casterCount) { return 64 * (casterCount > 0 ? casterCount : 1); }
 constexpr std::uint64_t topTreeBytes(std::uint64_t casterCount) { return topPlaneBytes(casterCount) + topLinkBytes(casterCount) + sizeof(GnoTopHeader); }
 #endif
 

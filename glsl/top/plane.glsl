@@ -5,6 +5,7 @@
 //   vec4  gnoTopLateralPlane(vec4 light, vec3 a, vec3 b, int facing, uint precision)   through the light and edge ab; inside is negative
 //   bool  gnoTopSubstitute(vec4 light, GnoCaster t, uint place, out vec4 plane)        for a lateral plane that fp32 cannot tell: one that only routes (8)
 //   vec4  gnoTopCapPlane(vec4 light, GnoCaster t, int facing, uint precision)          the caster's own plane; the light's side is positive
+//   vec4  gnoTopPlane(vec4 light, GnoCaster t, uint place, uint flags, uint precision) whichever of the three node `place` of t's volume has; flags as in node.h
 //   float gnoTopSide(vec4 plane, vec3 q)                   > 0: positive side
 //   float gnoTopBand(vec4 light, bool cap, float scale, float reach)       |side| <= band: the sign is not certain
 //   float gnoTopMargin(vec4 light, bool cap, float scale, float reach)     |side| > margin at all three vertices: so is the whole volume
@@ -16,12 +17,17 @@
 //                                                          `published`: the float bits of the largest sine of a vertex
 //   uint  gnoTopWidest(uint a, uint b)                     the wedge that holds both (not for `published`: there it is the maximum of two uints)
 //   bool  gnoTopInWedge(uint wedge, float side, float scale, uint precision)       false: certainly outside
+//   uint  gnoTopPositive(...)                              bounds of side(q) / scale(q) over the volume of a caster on the positive side, from both ends (9)
+//   float gnoTopNegative(...)                              upper bound of -side(q) / scale(q) over the volume of a caster on the negative side
+//   bool  gnoTopInPositive(uint positive, float side, float scale)                 false: certainly outside
 //
 // Space      positions on the scene grid; q = gnoFromLight(p); facing = gnoFacing(light, t), never 0
 // Stages     any; pure
 // Requires   #version 450, no extension
 //
-// The constants hold for the expressions as written, componentwise, without contraction. u = GNO_ULP = 2^-23 bounds the relative error of one
+// The constants hold for the expressions as written, componentwise, without contraction. gnoTopPlane's plane has to have the same bits each time it is asked for (the margin
+// of 3 is for one stored n): a plane's products that are added up are `precise`; one compiler is taken to divide and to draw a root alike in each of its shaders.
+// u = GNO_ULP = 2^-23 bounds the relative error of one
 // operation in any rounding mode, E = GNO_BAND = 8u. Grid coordinates keep every product far above the smallest normal number but for
 // cross products of tiny edges: planes of length below 2^-50 count as garbage, so flushed denormals cost nothing but certainty.
 //
@@ -53,6 +59,13 @@
 //    with the expressions of the build): a point of the owner's volume is then certainly negative, too, and (2), (3), (5) and (6) hold for the stored plane, which errs by nothing. Inside
 //    its band a point is in no volume of the owner, the positive or the negative child. It says nothing about the owner otherwise: whoever comes out behind the cap of such
 //    a volume is decided exactly, all planes at once, and the volume swallows no other caster.
+// 9. Bounds from both ends, for what lies wholly on one side. From above, either side: (6), which asks nothing of where the caster lies; a touching vertex, whose side is
+//    taken for 0, has exactly |n.v| <= E|v| for the stored n, with the 5u of the point's own side still below the 2E of (6). From below, the positive side, point light:
+//    all o_i >= 0, m = min o_i/|v_i|; n.q = sum l_i n.v_i >= (m - 5u) sum l_i |v_i| >= (m - 5u)|q| where m > 5u, for |q| <= sum l_i |v_i|: an arc between two vertices
+//    bulges away from the plane, so here the vertices do. The point's own side errs by 5u|q|, m itself by 6u m <= 7u: m - 2E, and less by 16u of itself for the product in
+//    the query and |q|. Directional: min o_i - 6ES, as in (6). Where that is below 0 it is stored as 0, and
+//    a computed side below 0 is looked up as 0: the exact sign may have sent such a point to the positive side. Both bounds are of the computed side of every point of the
+//    volume, so the band needs no case of its own, nor does a substitute plane.
 #ifndef GNO_TOP_PLANE_GLSL
 #define GNO_TOP_PLANE_GLSL
 #include "../core/light.glsl"
@@ -115,13 +128,14 @@ GNO_INLINE vec3 gnoTopUnit_(vec3 v_) {  // zero stays zero
 
 // Towards the outside of the edge at `place` (0: ab, 1: bc, 2: ca), at a right angle to `axis`; where the caster is too thin to tell, one of three directions.
 GNO_INLINE vec3 gnoTopOutward_(vec3 axis_, vec3 toThird_, uint place_) {
-    vec3 across_ = toThird_ - axis_ * gnoDot(toThird_, axis_);
+    precise vec3 across_ = toThird_ - axis_ * gnoDot(toThird_, axis_);
     if (gnoLength(across_) > 64.0f * GNO_BAND) return -gnoTopUnit_(across_);
     vec3 other_ = abs(axis_.x) < 0.6f ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 1.0f, 0.0f);
     vec3 first_ = gnoTopUnit_(gnoCross(axis_, other_));
     vec3 second_ = gnoCross(axis_, first_);
     float turn_ = place_ == 0u ? 0.0f : place_ == 1u ? 0.8660254f : -0.8660254f;
-    return gnoTopUnit_(first_ * (place_ == 0u ? 1.0f : -0.5f) + second_ * turn_);
+    precise vec3 turned_ = first_ * (place_ == 0u ? 1.0f : -0.5f) + second_ * turn_;
+    return gnoTopUnit_(turned_);
 }
 
 // False: the edge's own plane is good enough, or no plane of this kind was found.
@@ -146,11 +160,13 @@ GNO_INLINE bool gnoTopSubstitute(vec4 light_, GnoCaster t_, uint place_, GNO_OUT
         vec3 axis_ = gnoTopUnit_(ua_ + ub_);
         vec3 outward_ = gnoTopOutward_(axis_, uc_, place_);
         float tilt_ = max(0.0f, max(gnoDot(outward_, ua_), max(gnoDot(outward_, ub_), gnoDot(outward_, uc_)))) + 6.0f * GNO_BAND;
-        n_ = gnoTopUnit_(outward_ - axis_ * tilt_) * (1.0f - GNO_BAND);
+        precise vec3 tilted_ = outward_ - axis_ * tilt_;
+        n_ = gnoTopUnit_(tilted_) * (1.0f - GNO_BAND);
     } else {
         vec3 axis_ = gnoTopUnit_(r_);
         n_ = gnoTopOutward_(axis_, c_ - a_, place_);  // what is left of a long vector may lean towards the axis by far more than E: see (5)
-        n_ = gnoTopUnit_(n_ - axis_ * gnoDot(n_, axis_)) * (1.0f - GNO_BAND);
+        precise vec3 across_ = n_ - axis_ * gnoDot(n_, axis_);
+        n_ = gnoTopUnit_(across_) * (1.0f - GNO_BAND);
         offset_ = -max(gnoDot(n_, qa_), max(gnoDot(n_, qb_), gnoDot(n_, qc_))) - 8.0f * GNO_BAND * GNO_SCENE_RADIUS;
     }
     plane_ = vec4(n_, offset_);
@@ -163,6 +179,19 @@ GNO_INLINE vec4 gnoTopCapPlane(vec4 light_, GnoCaster t_, int facing_, uint prec
     vec3 n_ = gnoTopNormal_(t_.b - t_.a, t_.c - t_.a, precision_);
     if (facing_ > 0) n_ = -n_;
     return vec4(n_, -gnoDot(n_, gnoFromLight(light_, t_.a)));
+}
+
+GNO_INLINE vec4 gnoTopPlane(vec4 light_, GnoCaster t_, uint place_, uint flags_, uint precision_) {
+    int facing_ = int(flags_ & 3u) - 1;
+    if (place_ == 3u) return gnoTopCapPlane(light_, t_, facing_, precision_);
+    if ((flags_ & (GNO_TOP_SUBSTITUTE << place_)) != 0u) {
+        vec4 substitute_;
+        gnoTopSubstitute(light_, t_, place_, substitute_);
+        return substitute_;
+    }
+    vec3 a_ = place_ == 0u ? t_.a : place_ == 1u ? t_.b : t_.c;
+    vec3 b_ = place_ == 0u ? t_.b : place_ == 1u ? t_.c : t_.a;
+    return gnoTopLateralPlane(light_, a_, b_, facing_, precision_);
 }
 
 // The point of the triangle nearest to the origin, approximately (Ericson, Real-Time Collision Detection, 5.1.5). Any error only loosens a bound.
@@ -271,6 +300,29 @@ GNO_INLINE uint gnoTopWedge(vec4 light_, vec3 sides_, vec3 scales_, float depth_
 GNO_INLINE bool gnoTopInWedge(uint wedge_, float side_, float scale_, uint precision_) {
     if (precision_ == GNO_PRECISION_PUBLISHED) return abs(side_) <= uintBitsToFloat(wedge_) * scale_;
     return side_ > 0.0f ? side_ <= uintBitsToFloat(wedge_ & 0xFFFF0000u) * scale_ : -side_ <= uintBitsToFloat(wedge_ << 16) * scale_;
+}
+
+GNO_INLINE float gnoTopMin_(vec3 v_) { return min(v_.x, min(v_.y, v_.z)); }
+
+// Arguments as gnoTopWedge; no side below 0. High half: from above. Low half: from below, as 0xFFFF minus it, so that both halves grow and gnoTopWidest holds both.
+GNO_INLINE uint gnoTopPositive(vec4 light_, vec3 sides_, vec3 scales_, float depth_, float spread_) {
+    if (!(light_.w == 0.0f || gnoTopMin_(scales_) > 1e-15f)) return (gnoTopHalf_(GNO_TOP_NO_BOUND) << 16) | 0xFFFFu;
+    vec3 sines_ = vec3(sides_.x / scales_.x, sides_.y / scales_.y, sides_.z / scales_.z);
+    float most_ = gnoTopBound_(light_, max(0.0f, gnoTopMax_(sines_)), max(0.0f, gnoTopMax_(sides_)), gnoTopMax_(scales_), depth_, spread_);
+    float least_ = light_.w == 0.0f ? (gnoTopMin_(sides_) - 6.0f * GNO_BAND * GNO_SCENE_RADIUS) / GNO_SCENE_RADIUS : gnoTopMin_(sines_) - 2.0f * GNO_BAND;
+    least_ = max(0.0f, least_ * (1.0f - 16.0f * GNO_ULP));
+    return (gnoTopHalf_(most_) << 16) | (0xFFFFu - (floatBitsToUint(least_) >> 16));
+}
+
+GNO_INLINE float gnoTopNegative(vec4 light_, vec3 sides_, vec3 scales_, float depth_, float spread_) {
+    if (!(light_.w == 0.0f || gnoTopMin_(scales_) > 1e-15f)) return GNO_TOP_NO_BOUND;
+    vec3 sines_ = vec3(sides_.x / scales_.x, sides_.y / scales_.y, sides_.z / scales_.z);
+    return gnoTopBound_(light_, max(0.0f, -gnoTopMin_(sines_)), max(0.0f, -gnoTopMin_(sides_)), gnoTopMax_(scales_), depth_, spread_);
+}
+
+GNO_INLINE bool gnoTopInPositive(uint positive_, float side_, float scale_) {
+    float from_ = max(side_, 0.0f);
+    return from_ <= uintBitsToFloat(positive_ & 0xFFFF0000u) * scale_ && from_ >= uintBitsToFloat((0xFFFFu - (positive_ & 0xFFFFu)) << 16) * scale_;
 }
 
 GNO_NAMESPACE_END

@@ -31,13 +31,16 @@ GNO_INLINE bool gnoTopQueryStack(GnoViewSample s_) {
     uint used_ = 0u;
     bool lost_ = false;
     uint index_ = GNO_TOP_FIND_ROOT(point_.q);
+    if (index_ == GNO_TOP_IN_SHADOW) return true;
     while (index_ != GNO_TOP_NONE) {
         GnoTopNode node_ = GNO_TOP_LOAD_NODE(index_);
+        GnoTopSlab slab_ = gnoTopNoSlab_();
+        if (GNO_TOP_SLAB_ != 0) slab_ = GNO_TOP_LOAD_SLAB_(index_);  // here, not where it is asked for: a load of few invocations costs as much as one of all
         GNO_COUNT(visitedNodes, 1u);
         uint next_ = GNO_TOP_NONE;
         if (!gnoTopFarther_(point_, node_, index_)) {
             float side_ = gnoTopSide(node_.plane, point_.q);
-            if (gnoTopMeetsIntersection_(point_, node_, index_, side_)) {
+            if (gnoTopMeetsIntersection_(point_, node_, slab_, index_, side_)) {
                 if (used_ < uint(GNO_TOP_STACK_SIZE)) {
                     stack_[used_] = node_.intersectionChild;
                     ++used_;
@@ -47,8 +50,8 @@ GNO_INLINE bool gnoTopQueryStack(GnoViewSample s_) {
                     GNO_COUNT(stackOverflows, 1u);
                 }
             }
-            next_ = gnoTopNext_(point_, node_, index_, side_);
-            if (next_ == GNO_TOP_SHADOW_) return true;
+            next_ = gnoTopNext_(point_, node_, slab_, index_, side_);
+            if (next_ == GNO_TOP_IN_SHADOW) return true;
         }
         if (next_ == GNO_TOP_NONE && used_ > 0u) {
             --used_;

@@ -22,19 +22,22 @@ GNO_INLINE bool gnoTopQueryStackless(GnoViewSample s_) {
     GnoTopPoint_ point_ = gnoTopPoint_(s_);
     bool twice_ = false;  // this node's intersection child was visited already
     uint index_ = GNO_TOP_FIND_ROOT(point_.q);
+    if (index_ == GNO_TOP_IN_SHADOW) return true;
     while (index_ != GNO_TOP_NONE) {
         GnoTopNode node_ = GNO_TOP_LOAD_NODE(index_);
+        GnoTopSlab slab_ = gnoTopNoSlab_();
+        if (GNO_TOP_SLAB_ != 0) slab_ = GNO_TOP_LOAD_SLAB_(index_);  // here, not where it is asked for: a load of few invocations costs as much as one of all
         GNO_COUNT(visitedNodes, 1u);
         uint next_ = GNO_TOP_NONE;
         if (twice_ || !gnoTopFarther_(point_, node_, index_)) {
             float side_ = gnoTopSide(node_.plane, point_.q);
-            if (!twice_ && gnoTopMeetsIntersection_(point_, node_, index_, side_)) {
+            if (!twice_ && gnoTopMeetsIntersection_(point_, node_, slab_, index_, side_)) {
                 index_ = node_.intersectionChild;
                 continue;
             }
             twice_ = false;
-            next_ = gnoTopNext_(point_, node_, index_, side_);
-            if (next_ == GNO_TOP_SHADOW_) return true;
+            next_ = gnoTopNext_(point_, node_, slab_, index_, side_);
+            if (next_ == GNO_TOP_IN_SHADOW) return true;
         }
         if (next_ == GNO_TOP_NONE) {
             next_ = GNO_TOP_LOAD_ANCESTOR(index_);

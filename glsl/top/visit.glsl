@@ -18,8 +18,10 @@
 // GNO_TOP_LOAD_NODE(index)     yes       -                        GnoTopNode at index; index < node count, never GNO_TOP_NONE; no side effect
 // GNO_TOP_LOAD_ANCESTOR(index) yes       -                        ancestor link of the volume that node index belongs to
 // GNO_TOP_LOAD_FLAGS(index)    yes       -                        aux of the third node of the volume that node index belongs to (node.h)
+// GNO_TOP_LOAD_SLAB(index)     no        -                        GnoTopSlab at index, where the tree was built with slabs: children that cannot matter are not loaded
+// GNO_TOP_SLAB                 no        1                        with GNO_TOP_LOAD_SLAB: 0: do not look at it; may be a specialization constant
 // GNO_TOP_ROOT                 no        0u                       index of the root; GNO_TOP_NONE means an empty tree: everything is lit
-// GNO_TOP_FIND_ROOT(q)         no        GNO_TOP_ROOT             the root of the tree to ask for a point q = gnoFromLight(p), where there are several
+// GNO_TOP_FIND_ROOT(q)         no        GNO_TOP_ROOT             the root of the tree to ask for a point q = gnoFromLight(p), where there are several; or GNO_TOP_IN_SHADOW
 // GNO_TOP_CASTER_OF(block)     no        (block)                  the caster of nodes 4 * block and on
 // GNO_LIGHT                    yes       -                        vec4, homogeneous (core/light.glsl)
 // GNO_LOAD_CASTER(index)       yes       -                        GnoCaster, on the scene grid
@@ -44,6 +46,16 @@
 #endif
 #ifndef GNO_TOP_FIND_ROOT
 #define GNO_TOP_FIND_ROOT(q_) GNO_TOP_ROOT
+#endif
+#ifndef GNO_TOP_SLAB
+#define GNO_TOP_SLAB 1
+#endif
+#ifdef GNO_TOP_LOAD_SLAB
+#define GNO_TOP_SLAB_ GNO_TOP_SLAB
+#define GNO_TOP_LOAD_SLAB_(index_) GNO_TOP_LOAD_SLAB(index_)
+#else
+#define GNO_TOP_SLAB_ 0
+#define GNO_TOP_LOAD_SLAB_(index_) gnoTopNoSlab_()
 #endif
 #ifndef GNO_TOP_CASTER_OF
 #define GNO_TOP_CASTER_OF(block_) (block_)
@@ -74,14 +86,23 @@ GNO_INLINE GnoTopPoint_ gnoTopPoint_(GnoViewSample s_) {
     return point_;
 }
 
+GNO_INLINE GnoTopSlab gnoTopNoSlab_() {
+    GnoTopSlab none_;
+    none_.positive = none_.negative = none_.positiveDepth = none_.intersectionDepth = 0u;
+    return none_;
+}
+
 // The whole subtree lies farther from the light than the point. Only a volume's first node knows.
 GNO_INLINE bool gnoTopFarther_(GnoTopPoint_ point_, GnoTopNode node_, uint index_) {
+    if (GNO_TOP_SLAB_ != 0) return false;  // the parent knew
     return GNO_TOP_DEPTH_TEST != 0 && (index_ & 3u) == 0u && point_.depth < uintBitsToFloat(node_.aux);
 }
 
-GNO_INLINE bool gnoTopMeetsIntersection_(GnoTopPoint_ point_, GnoTopNode node_, uint index_, float side_) {
+GNO_INLINE bool gnoTopMeetsIntersection_(GnoTopPoint_ point_, GnoTopNode node_, GnoTopSlab slab_, uint index_, float side_) {
     if (node_.intersectionChild == GNO_TOP_NONE) return false;
-    return (index_ & 3u) == 3u || gnoTopInWedge(node_.wedge, side_, point_.scale, GNO_PRECISION);
+    bool meets_ = (index_ & 3u) == 3u || gnoTopInWedge(node_.wedge, side_, point_.scale, GNO_PRECISION);
+    if (GNO_TOP_SLAB_ != 0 && GNO_TOP_DEPTH_TEST != 0 && point_.depth < uintBitsToFloat(slab_.intersectionDepth)) meets_ = false;
+    return meets_;
 }
 
 // The exact side of a point in the band: 1 positive, -1 negative, 0 on the plane.
@@ -96,14 +117,12 @@ GNO_INLINE int gnoTopExactSide_(GnoTopPoint_ point_, uint index_, uint flags_) {
     return (flags_ & 3u) == 2u ? -sign_ : sign_;
 }
 
-const uint GNO_TOP_SHADOW_ = 0xFFFFFFFEu;  // what gnoTopNext_ returns for "in the owner's volume"
-
-// The next node apart from the intersection child: GNO_TOP_NONE when there is none, GNO_TOP_SHADOW_ when the search is over.
-GNO_INLINE uint gnoTopNext_(GnoTopPoint_ point_, GnoTopNode node_, uint index_, float side_) {
+// The next node apart from the intersection child, as the plane says: GNO_TOP_NONE when there is none, GNO_TOP_IN_SHADOW when the search is over.
+GNO_INLINE uint gnoTopRouted_(GnoTopPoint_ point_, GnoTopNode node_, uint index_, float side_) {
     bool cap_ = (index_ & 3u) == 3u;
     if (GNO_PRECISION == GNO_PRECISION_PUBLISHED) {
         if (side_ > 0.0f) return node_.positiveChild;
-        return cap_ ? GNO_TOP_SHADOW_ : index_ + 1u;
+        return cap_ ? GNO_TOP_IN_SHADOW : index_ + 1u;
     }
     bool uncertain_ = abs(side_) <= gnoTopBand(GNO_LIGHT, cap_, point_.scale, cap_ ? uintBitsToFloat(node_.aux) : 0.0f);
     if (cap_ && (uncertain_ || side_ < 0.0f) && GNO_TOP_CASTER_OF(index_ >> 2) == point_.own) return node_.positiveChild;
@@ -120,18 +139,32 @@ GNO_INLINE uint gnoTopNext_(GnoTopPoint_ point_, GnoTopNode node_, uint index_, 
             positive_ = asked_ == 3u ? exact_ >= 0 : exact_ > 0;
         }
         if (positive_) return node_.positiveChild;
-        return cap_ ? GNO_TOP_SHADOW_ : index_ + 1u;
+        return cap_ ? GNO_TOP_IN_SHADOW : index_ + 1u;
     }
     if (uncertain_) {
         uint owner_ = GNO_TOP_CASTER_OF(index_ >> 2);
         if (owner_ != point_.own) {
             GNO_COUNT(exactCalls, 1u);
-            if (gnoDecideInShadow(GNO_LIGHT, GNO_LOAD_CASTER(owner_), point_.position, GNO_PRECISION)) return GNO_TOP_SHADOW_;
+            if (gnoDecideInShadow(GNO_LIGHT, GNO_LOAD_CASTER(owner_), point_.position, GNO_PRECISION)) return GNO_TOP_IN_SHADOW;
         }
         return cap_ ? node_.positiveChild : GNO_TOP_NONE;
     }
     if (side_ > 0.0f) return node_.positiveChild;
-    return cap_ ? GNO_TOP_SHADOW_ : index_ + 1u;
+    return cap_ ? GNO_TOP_IN_SHADOW : index_ + 1u;
+}
+
+// The same, less what the bounds exclude.
+GNO_INLINE uint gnoTopNext_(GnoTopPoint_ point_, GnoTopNode node_, GnoTopSlab slab_, uint index_, float side_) {
+    uint next_ = gnoTopRouted_(point_, node_, index_, side_);
+    if (GNO_TOP_SLAB_ != 0 && next_ < GNO_TOP_IN_SHADOW) {
+        if (next_ == index_ + 1u && (index_ & 3u) != 3u) {  // a cap's positive child may well be the next block
+            if (-side_ > uintBitsToFloat(slab_.negative) * point_.scale) return GNO_TOP_NONE;
+        } else {
+            if (GNO_TOP_DEPTH_TEST != 0 && point_.depth < uintBitsToFloat(slab_.positiveDepth)) return GNO_TOP_NONE;
+            if ((index_ & 3u) != 3u && !gnoTopInPositive(slab_.positive, side_, point_.scale)) return GNO_TOP_NONE;
+        }
+    }
+    return next_;
 }
 
 GNO_NAMESPACE_END

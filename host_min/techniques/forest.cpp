@@ -22,6 +22,8 @@ public:
             {"cover", "leave out casters beyond one that hides the whole cell", 0, 0, {"on", "off"}, "on"},
             {"query", "which query of the TOP tree", 0, 0, {"stack", "stackless", "hybrid"}, "hybrid"},
             {"stack", "entries of the query's stack", 1, 64, {}, "12"},
+            {"slab", "keep bounds of a node's children in the node", 0, 0, {"on", "off"}, "off"},
+            {"nodes", "bytes of a caster's nodes in each cell: with its planes, or computed anew at each visit", 0, 0, {"128", "64"}, "128"},
             {"pool", "pairs of cell and caster the pool holds; 0: as many as the frame needs, by one read-back", 0, 2097152, {}, "0"},
             {"seed", "of the random insertion order", 0, 4294967295u, {}, "1"},
             {"stage", "shader stage of the timed query", 0, 0, {"compute", "fragment"}, "compute"}};
@@ -34,13 +36,15 @@ public:
                                           settings.word("cells") == "auto" ? 0 : uint32_t(std::stoul(settings.word("cells"))),
                                           settings.word("view_cull") == "on",
                                           settings.word("cover") == "on",
+                                          settings.word("slab") == "on",
+                                          settings.word("nodes") == "128",
                                           settings.number("pool"),
                                           settings.number("seed"),
                                           options.repeat,
                                           options.warmUp,
                                           options.counters};
-        const std::string key = fmt::format("forest {} {} {} {} {} {}", name(options.precision), forestOptions.resolution, forestOptions.viewCull,
-                                            forestOptions.cover, forestOptions.pool, forestOptions.seed);
+        const std::string key = fmt::format("forest {} {} {} {} {} {} {} {}", name(options.precision), forestOptions.resolution, forestOptions.viewCull,
+                                            forestOptions.cover, forestOptions.slab, forestOptions.storePlanes, forestOptions.pool, forestOptions.seed);
         const ForestTrees& trees = structures.get<ForestTrees>(key, [&] { return std::make_shared<ForestTrees>(inputs, forestOptions); });
 
         TechniqueResult result;
@@ -48,7 +52,7 @@ public:
         result.bytes = trees.bytes();
         ask(inputs,
             {"forest/examples/query_" + settings.word("query"),
-             {{0, uint32_t(options.precision)}, {1, settings.number("stack")}, {2, 1}},
+             {{0, uint32_t(options.precision)}, {1, settings.number("stack")}, {2, 1}, {3, forestOptions.slab}, {4, forestOptions.storePlanes}},
              trees.resources(),
              "forest_query",
              settings.word("stage") == "fragment"},

@@ -33,59 +33,26 @@ double expectedVisits(const GnoForestHeader& found, uint64_t samples) {
 
 }  // namespace
 
-GnoForestGrid forestGrid(glm::vec4 light, glm::vec3 low, glm::vec3 high, uint32_t resolution) {
-    GnoForestGrid grid{};
-    grid.resolution = resolution;
-    if (light.w != 0) {
-        grid.faces = 6;
-        grid.across.w = grid.along.w = -1;
-        grid.stepAcross = grid.stepAlong = 2.0f / float(resolution);
-        return grid;
-    }
-    grid.faces = 1;
-    const glm::dvec3 towards = glm::normalize(glm::dvec3(light));
-    const glm::dvec3 other = std::abs(towards.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    const glm::dvec3 across = glm::normalize(glm::cross(towards, other)), along = glm::cross(towards, across);
-    const auto place = [&](const glm::dvec3& axis, glm::vec4& stored, float& step) {
-        double least = std::numeric_limits<double>::max(), greatest = -least;
-        for (int corner = 0; corner < 8; ++corner) {
-            const glm::dvec3 p((corner & 1) ? high.x : low.x, (corner & 2) ? high.y : low.y, (corner & 4) ? high.z : low.z);
-            least = std::min(least, glm::dot(axis, p));
-            greatest = std::max(greatest, glm::dot(axis, p));
-        }
-        stored = glm::vec4(glm::vec3(axis), float(least));
-        step = float(std::max(greatest - least, 1e-6) / resolution);
-    };
-    place(across, grid.across, grid.stepAcross);
-    place(along, grid.along, grid.stepAlong);
-    return grid;
-}
-
 ForestTrees::ForestTrees(const FrameInputs& inputs, const ForestOptions& options)
     : inputs_(inputs),
       options_(options),
-      grid_(inputs.device(), sizeof(GnoForestGrid), vk::BufferUsageFlagBits::eUniformBuffer),
-      cells_(inputs.device(), sizeof(GnoForestCell)),
-      header_(inputs.device(), sizeof(GnoForestHeader), vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer),
-      list_(inputs.device(), 4 * uint64_t(inputs.triangleCount())),
-      few_(inputs.device(), sizeof(GnoForestFew) * uint64_t(inputs.triangleCount())),
-      pool_(inputs.device(), 8),
-      planes_(inputs.device(), 64),
-      links_(inputs.device(), 64) {
-    if (groupsOf(inputs.triangleCount()) > kMostGroups)
-        throw InputError(fmt::format("{} triangles are over the forest's limit of {}", inputs.triangleCount(), kMostGroups * GNO_FOREST_GROUP));
+      assignment_(inputs, "forest", options.viewCull, options.cover, options.seed),
+      planes_(inputs.device(), topPlaneBytes(0)),
+      links_(inputs.device(), topLinkBytes(0)),
+      slabs_(inputs.device(), topSlabBytes(0)) {
     if (options.resolution == 0) chooseResolution();
     else count(options.resolution);
     const uint32_t most = mostPairs(inputs.device().facts());
     if (found_.pairs > most)
         throw InputError(fmt::format("the forest needs {} pairs of cell and caster, over the limit of {}: use a smaller --set cells than {}", found_.pairs, most,
-                                     resolution_));
+                                     resolution()));
     if (options.pool > 0 && options.pool < found_.pairs)
         throw InputError(fmt::format("--set pool={}: the forest needs {} pairs of cell and caster: use a larger pool, or 0", options.pool, found_.pairs));
     const uint64_t capacity = options.pool > 0 ? options.pool : found_.pairs;
-    pool_ = Buffer(inputs.device(), std::max<uint64_t>(capacity, 1) * sizeof(GnoForestPair));
-    planes_ = Buffer(inputs.device(), topPlaneBytes(capacity));
+    assignment_.setPool(capacity);
+    if (options.storePlanes) planes_ = Buffer(inputs.device(), topPlaneBytes(capacity));
     links_ = Buffer(inputs.device(), topLinkBytes(capacity));
+    if (options.slab) slabs_ = Buffer(inputs.device(), topSlabBytes(capacity));
     if (options.counters) {
         Buffer totals(inputs.device(), 5 * 4);
         totals.fill(0);
@@ -105,15 +72,11 @@ ForestTrees::ForestTrees(const FrameInputs& inputs, const ForestOptions& options
 }
 
 void ForestTrees::count(uint32_t resolution) {
-    resolution_ = resolution;
-    const GnoForestGrid grid = forestGrid(inputs_.light(), inputs_.frame().low, inputs_.frame().high, resolution);
-    grid_.upload(std::span(&grid, 1));
-    cells_ = Buffer(inputs_.device(), uint64_t(gnoCellCount(grid.resolution, grid.faces)) * sizeof(GnoForestCell));
-    cellCount_ = gnoCellCount(grid.resolution, grid.faces);
+    assignment_.setResolution(resolution);
     Recording recording(inputs_.device());
     recordAssignment(recording);
     recording.submit();
-    found_ = header_.downloadAs<GnoForestHeader>().front();
+    found_ = assignment_.header().downloadAs<GnoForestHeader>().front();
 }
 
 void ForestTrees::chooseResolution() {
@@ -129,59 +92,31 @@ void ForestTrees::chooseResolution() {
             break;
         }
     }
-    if (resolution_ != best) count(best);
+    if (resolution() != best) count(best);
 }
 
 std::vector<Binding> ForestTrees::resources() const {
-    return {{"gnoCasters", &inputs_.casters()}, {"gnoStates", &inputs_.states()}, {"gnoSamples", &inputs_.samples()}, {"gnoForestGrid", &grid_},
-            {"gnoForestCells", &cells_},        {"gnoForestPairs", &pool_},       {"gnoForestHeader", &header_},      {"gnoForestFew", &few_},         {"gnoList", &list_},
-            {"gnoTopPlanes", &planes_},         {"gnoTopLinks", &links_},         {"gnoTopHeader", &header_}};
-}
-
-const ComputePass& ForestTrees::pass(const std::string& name, Specialization constants) const {
-    if (name.starts_with("assign") || name == "sort.comp") {
-        constants[30] = options_.viewCull;
-        constants[31] = options_.cover;
-    }
-    if (name.starts_with("set_up") || name.starts_with("build")) constants[0] = uint32_t(options_.precision);
-    return inputs_.passes().compute("forest/examples/" + name, constants);
-}
-
-void ForestTrees::step(Recording& recording, uint32_t which) const {
-    const ExamplePush push = inputs_.push(options_.seed);
-    const auto bytes = std::as_bytes(std::span(&push, 1));
-    const auto all = resources();
-    const bool emit = which == 6;
-    recording.barrier();
-    pass("assign_many.comp", {{32, which}}).dispatchIndirect(recording, all, bytes, header_, offsetof(GnoForestHeader, groupsOfMany));
-    if (emit) recording.barrier();  // the larger ones first
-    pass("assign_some.comp", {{32, which}}).dispatchIndirect(recording, all, bytes, header_, offsetof(GnoForestHeader, groupsOfSome));
-    if (which == 3) return;
-    if (emit) recording.barrier();
-    pass("assign_few.comp", {{32, which}}).dispatch(recording, all, bytes, groupsOf(inputs_.triangleCount()));
+    auto all = assignment_.resources();
+    all.insert(all.end(), {{"gnoTopPlanes", &planes_}, {"gnoTopLinks", &links_}, {"gnoTopHeader", &assignment_.header()}, {"gnoTopSlabs", &slabs_}});
+    return all;
 }
 
 void ForestTrees::recordAssignment(Recording& recording) const {
     const ExamplePush push = inputs_.push(options_.seed);
     const auto bytes = std::as_bytes(std::span(&push, 1));
-    const auto all = resources();
+    const auto pass = [&](const char* name) -> const ComputePass& { return inputs_.passes().compute(std::string("forest/examples/") + name); };
     recording.beginPass("forest_setup_depth");
-    pass("reset.comp").dispatch(recording, all, bytes, groupsOf(cellCount_));
-    recording.barrier();
-    if (options_.viewCull) pass("depth.comp").dispatch(recording, all, bytes, (inputs_.width() + 31) / 32, (inputs_.height() + 15) / 16);
+    assignment_.recordDepth(recording);
     recording.endPass();
     recording.beginPass("forest_setup_sort");
-    pass("sort.comp").dispatch(recording, all, bytes, groupsOf(inputs_.triangleCount()));
-    recording.barrier();
-    pass("sizes.comp").dispatch(recording, all, bytes, 1);
+    assignment_.recordSort(recording);
     recording.endPass();
     recording.beginPass("forest_setup_count");
-    if (options_.cover) step(recording, 3);
-    step(recording, 4);
+    assignment_.recordCount(recording);
     recording.barrier();
-    pass("allocate.comp").dispatch(recording, all, bytes, groupsOf(cellCount_));
+    pass("allocate.comp").dispatch(recording, resources(), bytes, groupsOf(assignment_.cellCount()));
     recording.barrier();
-    pass("sizes.comp").dispatch(recording, all, bytes, 1);
+    pass("sizes.comp").dispatch(recording, resources(), bytes, 1);
     recording.endPass();
 }
 
@@ -190,29 +125,37 @@ void ForestTrees::recordTrees(Recording& recording, const Buffer* totals) const 
     const auto bytes = std::as_bytes(std::span(&push, 1));
     auto all = resources();
     if (totals) all.push_back({"gnoTotals", totals});
+    const auto overPairs = [&](const char* name) {
+        inputs_.passes()
+            .compute(std::string("forest/examples/") + name, {{0, uint32_t(options_.precision)}, {3, options_.slab}, {4, options_.storePlanes}})
+            .dispatchIndirect(recording, all, bytes, assignment_.header(), offsetof(GnoForestHeader, groupsOfPairs));
+    };
     recording.beginPass("forest_setup_emit");
-    step(recording, 6);
+    assignment_.recordEmit(recording);
     recording.endPass();
     recording.beginPass("forest_setup");
-    pass("set_up.comp").dispatchIndirect(recording, all, bytes, header_, offsetof(GnoForestHeader, groupsOfPairs));
+    overPairs("set_up.comp");
     recording.endPass();
     recording.beginPass("forest_build");
-    pass(totals ? "build.comp.counters" : "build.comp").dispatchIndirect(recording, all, bytes, header_, offsetof(GnoForestHeader, groupsOfPairs));
+    overPairs(totals ? "build.comp.counters" : "build.comp");
     recording.endPass();
 }
 
 NamedNumbers ForestTrees::bytes() const {
-    return {{"trees", planes_.bytes() + links_.bytes()}, {"cells", cells_.bytes() + grid_.bytes() + header_.bytes()}, {"pairs", pool_.bytes()},
-            {"casters", list_.bytes() + few_.bytes()}};
+    return {{"trees", (options_.storePlanes ? planes_.bytes() : 0) + links_.bytes() + (options_.slab ? slabs_.bytes() : 0)},
+            {"cells", assignment_.cellBytes()},
+            {"pairs", assignment_.pool().bytes()},
+            {"casters", assignment_.casterBytes()}};
 }
 
 std::vector<DumpedBuffer> ForestTrees::dump() const {
-    return {{"grid", "GnoForestGrid", grid_.download()},
-            {"cells", "GnoForestCell cell[]", cells_.download()},
-            {"pairs", "GnoForestPair pair[]", pool_.download()},
-            {"forest_header", "GnoForestHeader", header_.download()},
-            {"planes", "vec4 plane[4 * pairs]", planes_.download()},
-            {"links", "GnoTopLink link[4 * pairs]", links_.download()}};
+    std::vector<DumpedBuffer> all{{"grid", "GnoForestGrid", assignment_.grid().download()},
+                                  {"cells", "GnoForestCell cell[]", assignment_.cells().download()},
+                                  {"pairs", "GnoForestPair pair[]", assignment_.pool().download()},
+                                  {"forest_header", "GnoForestHeader", assignment_.header().download()},
+                                  {"links", "GnoTopLink link[4 * pairs]", links_.download()}};
+    if (options_.storePlanes) all.push_back({"planes", "vec4 plane[4 * pairs]", planes_.download()});
+    return all;
 }
 
 }  // namespace gno::host

@@ -3,9 +3,9 @@
 #pragma once
 #include <vector>
 
-#include "glsl/forest/cells.h"
 #include "glsl/top/node.h"
 #include "host_min/output/record.hpp"
+#include "host_min/techniques/cell_assignment.hpp"
 #include "host_min/techniques/technique.hpp"
 #include "host_min/techniques/top_tree.hpp"
 
@@ -15,15 +15,14 @@ struct ForestOptions {
     Precision precision = Precision::certified;
     uint32_t resolution = 0;  ///< cells along an edge of a face; 0: chosen by counting pairs at several
     bool viewCull = true, cover = true;
+    bool slab = false;  ///< bounds of a node's children, kept in the node
+    bool storePlanes = true;  ///< false: the build and the queries compute a node's plane from its caster
     uint32_t pool = 0;  ///< pairs; 0: as many as the frame needs, which one read-back tells
     uint32_t seed = 1;  ///< of the insertion order
     uint32_t repeat = 1;
     bool warmUp = true;
     bool counters = true;
 };
-
-/// The contract's grid for a light: six faces around a point, or one face that holds the box from `low` to `high` (casters) and all samples.
-GnoForestGrid forestGrid(glm::vec4 light, glm::vec3 low, glm::vec3 high, uint32_t resolution);
 
 class ForestTrees {
 public:
@@ -33,7 +32,7 @@ public:
     [[nodiscard]] std::vector<Binding> resources() const;  ///< what a query binds, its own images left out
     [[nodiscard]] const std::vector<RecordPass>& passes() const { return passes_; }
     [[nodiscard]] const TopBuildCounters& counters() const { return counters_; }
-    [[nodiscard]] uint32_t resolution() const { return resolution_; }
+    [[nodiscard]] uint32_t resolution() const { return assignment_.resolution(); }
     [[nodiscard]] const GnoForestHeader& found() const { return found_; }  ///< pairs, used cells, casters with some and with many cells
     [[nodiscard]] NamedNumbers bytes() const;
     [[nodiscard]] std::vector<DumpedBuffer> dump() const;
@@ -43,14 +42,12 @@ private:
     void chooseResolution();
     void recordAssignment(Recording& recording) const;
     void recordTrees(Recording& recording, const Buffer* totals) const;
-    void step(Recording& recording, uint32_t which) const;
-    [[nodiscard]] const ComputePass& pass(const std::string& name, Specialization constants = {}) const;
 
     const FrameInputs& inputs_;
     ForestOptions options_;
-    uint32_t resolution_ = 0, cellCount_ = 0;
+    CellAssignment assignment_;
     GnoForestHeader found_{};  ///< what the assignment counted
-    Buffer grid_, cells_, header_, list_, few_, pool_, planes_, links_;
+    Buffer planes_, links_, slabs_;
     std::vector<RecordPass> passes_;
     TopBuildCounters counters_;
 };

@@ -7,6 +7,8 @@
 #include "host_min/error.hpp"
 #include "host_min/techniques/clusters.hpp"
 #include "host_min/techniques/forest.hpp"
+#include "host_min/techniques/light_bvh.hpp"
+#include "host_min/techniques/light_grid.hpp"
 #include "host_min/techniques/ray_query.hpp"
 #include "host_min/techniques/shadow_map.hpp"
 #include "host_min/techniques/technique.hpp"
@@ -21,6 +23,8 @@ const std::vector<std::unique_ptr<Technique>>& techniques() {
         made.push_back(makeClusterTechnique(false));
         made.push_back(makeClusterTechnique(true));
         made.push_back(makeForestTechnique());
+        made.push_back(makeLightBvhTechnique());
+        made.push_back(makeLightGridTechnique());
         made.push_back(makeShadowMapTechnique());
         made.push_back(makeRayQueryTechnique());
         return made;
@@ -40,9 +44,7 @@ const std::vector<std::pair<std::string, std::string>>& plannedTechniques() {
         {"zfail", "stencil shadow volumes, depth fail"},
         {"zp+", "stencil shadow volumes, ZP+"},
         {"++zp", "stencil shadow volumes, ++ZP"},
-        {"atomic-zp", "stencil shadow volumes, AtomicZP 2019"},
-        {"light-bvh", "light-space bounding volume hierarchy"},
-        {"light-grid", "caster lists by light direction"}};
+        {"atomic-zp", "stencil shadow volumes, AtomicZP 2019"}};
     return list;
 }
 

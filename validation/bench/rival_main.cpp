@@ -33,7 +33,10 @@ int run(int argc, char** argv) {
     app.add_flag("--check", job.base.check, "compare with the exact oracle; wrong samples make the program fail");
     if (!bench::parse(app, argc, argv)) return 0;
     for (const std::string& text : contestants) job.contestants.push_back(bench::contestant(text));
-    for (const std::string& text : sizes) bench::readSize(text, job.sizes.emplace_back().first, job.sizes.back().second);
+    for (const std::string& text : sizes) {
+        auto& [width, height] = job.sizes.emplace_back();
+        bench::readSize(text, width, height);
+    }
     job.base.precisions = {host::precisionByName(precision)};
     job.base.cull = host::cullByName(cull);
 

@@ -129,7 +129,7 @@ void measurePeer(const Subject& subject, const RivalJob& job, const Contestant& 
     if (!first) return;
     cost.bytes = double(sumOfBytes(answer.bytes));
     if (!job.base.check) return;
-    std::vector<uint32_t> visibility(inputs.pixels().size(), 0);
+    std::vector<uint32_t> visibility(inputs.pixels().size(), GNO_VISIBILITY_LIT);
     for (size_t i = 0; i < pixels.size(); ++i)
         if (answer.inShadow[i] != 0) visibility[pixels[i]] = GNO_VISIBILITY_SHADOW;
     cost.wrong += subject.wrong(visibility);

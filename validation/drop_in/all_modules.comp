@@ -8,6 +8,15 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_LIGHT push.light
 #define GNO_CLUSTER_FORM GNO_CLUSTER_COMPACT
 #define GNO_SHADOW_MAP_MEASURES 1
+#define GNO_SORT_LENGTH push.count
+#define GNO_SORT_SHIFT push.seed
+#define GNO_SORT_KEYS gnoLightBvhKeys.v
+#define GNO_SORT_VALUES gnoLightBvhOrder.v
+#define GNO_SORT_SORTED_KEYS gnoLightBvhMasks.v
+#define GNO_SORT_SORTED_VALUES gnoLightBvhParents.v
+#define GNO_SORT_COUNTS gnoLightBvhSums.v
+#define GNO_PREFIX_WORDS gnoLightBvhSums.v
+#define GNO_LIGHT_BVH_BUILD 1
 #define GNO_CLUSTER_LOAD_SAMPLE(pixel_) GnoViewSample(push.position.xyz, uint((pixel_).x))
 #include "gnomon/core/bindings.glsl"
 #include "gnomon/core/caster_state.glsl"
@@ -38,6 +47,21 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/forest/assign.glsl"
 #include "gnomon/forest/cells.glsl"
 #include "gnomon/forest/cells.h"
+#include "gnomon/rivals/light_grid_bindings.glsl"
+#include "gnomon/rivals/light_grid.h"
+#include "gnomon/rivals/light_grid_build.glsl"
+#include "gnomon/rivals/light_grid_place.glsl"
+#include "gnomon/rivals/light_grid_planes.glsl"
+#include "gnomon/rivals/light_grid_query.glsl"
+#include "gnomon/rivals/light_grid_sort.glsl"
+#include "gnomon/rivals/light_bvh_bindings.glsl"
+#include "gnomon/rivals/light_bvh.h"
+#include "gnomon/rivals/light_bvh_bounds.glsl"
+#include "gnomon/rivals/light_bvh_build.glsl"
+#include "gnomon/rivals/light_bvh_query.glsl"
+#include "gnomon/core/prefix_sum.glsl"
+#include "gnomon/core/radix_sort.glsl"
+#include "gnomon/core/radix_sort.h"
 #include "gnomon/rivals/ray_query_index.glsl"
 #include "gnomon/shadow_map/bindings.glsl"
 #include "gnomon/shadow_map/map_bindings.glsl"
@@ -71,5 +95,8 @@ void main() {
     dark = dark || gnoClusterInShadow(uvec2(at, push.seed), s.position);
     gnoShadowMapMeasure(s);
     dark = dark || gnoShadowMapQuery(s);
+    gnoSortCount(gl_WorkGroupID.x, gl_LocalInvocationID.x);
+    gnoLightBvhSplit(at);
+    dark = dark || gnoLightBvhQuery(s);
     results.v[at] = uint(inserted) + uint(dark);
 }

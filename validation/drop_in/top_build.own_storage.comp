@@ -5,7 +5,7 @@
 layout(push_constant) uniform Push { vec4 light; uint count; uint seed; } push;
 #include "gnomon/top/node.h"
 layout(set = 1, binding = 6, std430) readonly buffer Corners { vec4 corner[]; } corners;
-layout(set = 1, binding = 7, std430) coherent buffer Tree { GnoTopHeader header; vec4 planes[4096]; GnoTopLink links[4096]; } tree;
+layout(set = 1, binding = 7, std430) coherent buffer Tree { GnoTopHeader header; vec4 planes[4096]; GnoTopLink links[4096]; GnoTopSlab slabs[4096]; } tree;
 // Names that a careless module would capture, of types that fit nowhere else: a local of that name inside the module would not compile.
 struct Trap { mat4x3 m; };
 Trap node, i, s, index, p, t, q, a, b, c, light, point, side, caster, first, next, stack, used, depth, plane, link, at, root, own, l, n, x, y, z;
@@ -19,6 +19,8 @@ vec4 engineLight(float traps) { return push.light + vec4(traps); }
 #define GNO_TOP_PLANES tree.planes
 #define GNO_TOP_LINKS tree.links
 #define GNO_TOP_HEADER tree.header
+#define GNO_TOP_SLABS tree.slabs
+#define GNO_TOP_SLAB trapped(1u, TRAPS)
 #define GNO_LIGHT engineLight(TRAPS)
 #define GNO_LOAD_CASTER(number) engineCaster(trapped(number, TRAPS))
 #define GNO_PRECISION trapped(2u, TRAPS)

@@ -3,7 +3,9 @@
 // SPDX-License-Identifier: MIT
 // Way B: our buffers, other sets and bindings; every option of the query at another value.
 layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
+layout(constant_id = 9) const uint kStorePlanes = 0u;
 #define GNO_LIGHT push.light
+#define GNO_TOP_STORE_PLANES kStorePlanes
 #define GNO_TOP_SHORT_STACK_SIZE 1
 #define GNO_CORE_SET 2
 #define GNO_CORE_BINDING_CASTERS 7
@@ -11,6 +13,9 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_TOP_BINDING_PLANES 5
 #define GNO_TOP_BINDING_LINKS 6
 #define GNO_TOP_BINDING_HEADER 9
+#define GNO_TOP_BINDING_SLABS 10
+#define GNO_TOP_BIND_SLABS 1
+#define GNO_TOP_SLAB 1
 #define GNO_TOP_READ_ONLY 1
 #define GNO_TOP_DEPTH_TEST 0
 #define GNO_PRECISION GNO_PRECISION_CONSERVATIVE

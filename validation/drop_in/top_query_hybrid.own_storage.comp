@@ -6,7 +6,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 position; uint root; } pus
 // Columns instead of records: an engine's layout, not ours.
 layout(set = 0, binding = 3, std430) readonly buffer Corners { vec4 corner[]; } corners;
 layout(set = 0, binding = 4, std430) readonly buffer Sides { float nx[4096]; float ny[4096]; float nz[4096]; float offset[4096]; } sides;
-layout(set = 0, binding = 8, std430) readonly buffer Children { uvec2 child[4096]; uint wedge[4096]; uint aux[4096]; } children;
+layout(set = 0, binding = 8, std430) readonly buffer Children { uvec2 child[4096]; uint wedge[4096]; uint aux[4096]; uint slab[16384]; } children;
 #include "gnomon/top/node.h"
 // Names that a careless module would capture, of types that fit nowhere else: a local of that name inside the module would not compile.
 struct Trap { mat4x3 m; };
@@ -25,6 +25,11 @@ vec4 engineLight(float traps) { return push.light + vec4(traps); }
 #define GNO_TOP_LOAD_NODE(number) engineNode(trapped(number, TRAPS))
 #define GNO_TOP_LOAD_ANCESTOR(number) children.aux[trapped(4u * ((number) / 4u) + 1u, TRAPS)]
 #define GNO_TOP_LOAD_FLAGS(number) children.aux[trapped(4u * ((number) / 4u) + 2u, TRAPS)]
+GnoTopSlab engineSlab(uint number) {
+    return GnoTopSlab(children.slab[number], children.slab[number + 4096u], children.slab[number + 8192u], children.slab[number + 12288u]);
+}
+#define GNO_TOP_LOAD_SLAB(number) engineSlab(trapped(number, TRAPS))
+#define GNO_TOP_SLAB trapped(1u, TRAPS)
 #define GNO_TOP_ROOT trapped(push.root, TRAPS)
 #define GNO_LIGHT engineLight(TRAPS)
 #define GNO_LOAD_CASTER(number) engineCaster(trapped(number, TRAPS))

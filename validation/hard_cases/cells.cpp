@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a grid of cells over the directions of a light (glsl/forest) can get wrong: samples and casters on the borders of cells, on edges and corners of the cube, casters
 // around the light, over exactly one cell, beside it by a corner. The directions are dyadic, so that they are exact.
-#include "host_min/techniques/forest_trees.hpp"
+#include "host_min/techniques/cell_assignment.hpp"
 #include "validation/hard_cases/hard_case.hpp"
 #include "validation/hard_cases/scene_maker.hpp"
 

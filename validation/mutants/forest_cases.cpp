@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "host_min/techniques/forest_trees.hpp"
+#include "host_min/techniques/cell_assignment.hpp"
 #include "validation/mutants/cases.hpp"
 #include "validation/mutants/scene_parts.hpp"
 

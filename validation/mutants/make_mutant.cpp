@@ -49,7 +49,7 @@ void replaceOnce(std::string& text, const std::string& from, const std::string& 
 
 void make(const fs::path& description, const fs::path& glsl, const fs::path& out) {
     std::map<std::string, std::string> files;
-    for (const char* folder : {"core", "top", "clusters", "forest"}) {
+    for (const char* folder : {"core", "top", "clusters", "forest", "rivals"}) {
         for (const auto& entry : fs::directory_iterator(glsl / folder)) {
             if (entry.is_regular_file()) files[std::string(folder) + "/" + entry.path().filename().string()] = readText(entry.path());
         }

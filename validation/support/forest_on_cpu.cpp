@@ -94,7 +94,7 @@ GnoTopNode loadNode(uint index) {
 #define GNO_TOP_LINKS cpuLinks
 #define GNO_TOP_CASTER_OF(block_) cpuPairs[block_].caster
 #define GNO_TOP_ROOT_OF(block_) cpuCells[cpuPairs[block_].cell].root
-#define GNO_TOP_FIND_ROOT(q_) cpuCells[gnoCellOf(state.light, state.grid, q_)].root
+#define GNO_TOP_FIND_ROOT(q_) gnoForestRoot(cpuCells[gnoCellOf(state.light, state.grid, q_)], gnoLightDepth(state.light, q_))
 #define GNO_TOP_LOAD_NODE(index_) loadNode(index_)
 #define GNO_TOP_LOAD_ANCESTOR(index_) cpuLinks[((index_) & ~3u) + 1u].aux
 #define GNO_TOP_LOAD_FLAGS(index_) cpuLinks[((index_) & ~3u) + 2u].aux

@@ -10,6 +10,9 @@
 #ifndef GNO_TOP_VARIANT
 #error "define GNO_TOP_VARIANT, a name"
 #endif
+#ifndef GNO_TOP_WITH_SLABS
+#define GNO_TOP_WITH_SLABS 0
+#endif
 #ifndef GNO_TOP_STACK_SIZE
 #define GNO_TOP_STACK_SIZE 32
 #endif
@@ -29,6 +32,7 @@ struct State {
     std::vector<GnoCaster> casters;
     std::vector<vec4> planes;
     std::vector<GnoTopLink> links;
+    std::vector<GnoTopSlab> slabs;
     GnoTopHeader header{GNO_TOP_NONE, 0, 0, 0};
     vec4 light{0, 0, 0, 1};
     uint precision = GNO_PRECISION_CERTIFIED;
@@ -58,6 +62,10 @@ struct Links {
     GnoTopLink& operator[](uint index) const { return element(state.links, index); }
 } constexpr cpuLinks;
 
+struct Slabs {
+    GnoTopSlab& operator[](uint index) const { return element(state.slabs, index); }
+} constexpr cpuSlabs;
+
 GnoTopNode loadNode(uint index) {
     const GnoTopLink& link = cpuLinks[index];
     GnoTopNode node{};
@@ -71,6 +79,11 @@ GnoTopNode loadNode(uint index) {
 
 #define GNO_TOP_PLANES cpuPlanes
 #define GNO_TOP_LINKS cpuLinks
+#if GNO_TOP_WITH_SLABS
+#define GNO_TOP_SLABS cpuSlabs
+#define GNO_TOP_LOAD_SLAB(index_) cpuSlabs[index_]
+#define GNO_TOP_SLAB (state.precision == GNO_PRECISION_PUBLISHED ? 0 : 1)
+#endif
 #define GNO_TOP_HEADER state.header
 #define GNO_TOP_ROOT state.header.root
 #define GNO_TOP_LOAD_NODE(index_) loadNode(index_)
@@ -113,6 +126,7 @@ public:
         state.casters.assign(casters.begin(), casters.end());
         state.planes.assign(4 * casters.size(), vec4(uintBitsToFloat(poison)));
         state.links.assign(4 * casters.size(), GnoTopLink{poison, poison, poison, poison});
+        state.slabs.assign(4 * casters.size(), GnoTopSlab{poison, poison, poison, poison});
         state.header = {GNO_TOP_NONE, count, 0, 0};
         state.light = light;
         state.precision = precision;

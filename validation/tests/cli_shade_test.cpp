@@ -7,6 +7,8 @@
 
 #include "glsl/clusters/cluster.h"
 #include "glsl/forest/cells.h"
+#include "glsl/rivals/light_bvh.h"
+#include "glsl/rivals/light_grid.h"
 #include "glsl/top/node.h"
 #include "host_min/output/exr.hpp"
 #include "validation/tests/cli_child.hpp"
@@ -18,10 +20,10 @@ namespace fs = std::filesystem;
 using host::test::Json;
 using Names = std::set<std::string>;
 
-const std::vector<std::string> kAll{"psv", "d-psv", "d-stackless", "d-hybrid", "ptsv", "ptsv-2011", "forest"};
+const std::vector<std::string> kAll{"psv", "d-psv", "d-stackless", "d-hybrid", "ptsv", "ptsv-2011", "forest", "light-bvh", "light-grid"};
 
 bool isTop(const std::string& technique) { return technique == "psv" || technique.starts_with("d-"); }
-bool visitsNodes(const std::string& technique) { return isTop(technique) || technique == "forest"; }
+bool visitsNodes(const std::string& technique) { return isTop(technique) || technique == "forest" || technique.starts_with("light-"); }
 
 Names keysOf(const Json& object) {
     Names keys;
@@ -100,7 +102,8 @@ TEST(Shade, AllTechniquesAndLightsWithEverythingWritten) {
         EXPECT_EQ(uint64_t(std::count(mask.begin(), mask.end(), float(GNO_VISIBILITY_SHADOW))), record["in_shadow"].get<uint64_t>());
 
         const bool top = isTop(kAll[i % kAll.size()]), flat = kAll[i % kAll.size()] == "ptsv-2011", forest = kAll[i % kAll.size()] == "forest";
-        for (const char* picture : top || forest ? std::vector{"shaded", "mask", "visited_nodes", "stack", "difference"}
+        const bool lists = kAll[i % kAll.size()] == "light-grid", boxes = kAll[i % kAll.size()] == "light-bvh";
+        for (const char* picture : visitsNodes(kAll[i % kAll.size()]) ? std::vector{"shaded", "mask", "visited_nodes", "stack", "difference"}
                                        : std::vector{"shaded", "mask", "sample_tests", "difference"})
             expected.insert(stem + "-" + name + "-" + picture + ".png");
         expected.insert(stem + ".exr");
@@ -108,9 +111,11 @@ TEST(Shade, AllTechniquesAndLightsWithEverythingWritten) {
         for (const char* more :
              top      ? std::vector{"header.bin", "planes.bin", "links.bin", "visits.bin", "visited_nodes.bin", "deepest_stack.bin"}
              : forest ? std::vector{"forest_header.bin", "grid.bin", "cells.bin", "pairs.bin", "planes.bin", "links.bin", "visited_nodes.bin", "deepest_stack.bin"}
+             : boxes  ? std::vector{"grid.bin", "light_bvh_header.bin", "levels.bin", "nodes.bin", "parents.bin", "visited_nodes.bin", "deepest_stack.bin"}
+             : lists  ? std::vector{"grid.bin", "lists.bin", "items.bin", "light_grid_header.bin", "visited_nodes.bin", "deepest_stack.bin"}
                       : std::vector{"header.bin", "frame.bin", "slices.bin", "masks.bin", "masks_built.bin", "volumes.bin", "low.bin", "high.bin", "sample_tests.bin"})
             dumps.push_back(more);
-        if (!top && !flat && !forest) dumps.push_back("pointers.bin");
+        if (!top && !flat && !forest && !lists && !boxes) dumps.push_back("pointers.bin");
         for (const char* dumped : dumps) expected.insert(stem + "-" + name + "-" + dumped);
 
         const Json index = Json::parse(readFile(stage.out() / (stem + "-" + name + "-dump.json")));
@@ -136,6 +141,18 @@ TEST(Shade, AllTechniquesAndLightsWithEverythingWritten) {
             EXPECT_EQ(bytes.at("pairs"), pairs * sizeof(GnoForestPair));
             EXPECT_EQ(bytes.at("planes"), topPlaneBytes(pairs));
             EXPECT_EQ(bytes.at("links"), topLinkBytes(pairs));
+        } else if (boxes) {
+            EXPECT_EQ(bytes.at("grid"), sizeof(GnoForestGrid));
+            EXPECT_EQ(bytes.at("light_bvh_header"), sizeof(GnoLightBvhHeader));
+            EXPECT_GT(bytes.at("nodes"), 0u);
+            EXPECT_EQ(bytes.at("nodes") % sizeof(GnoLightBvhNode), 0u);
+        } else if (lists) {
+            EXPECT_EQ(bytes.at("grid"), sizeof(GnoForestGrid));
+            EXPECT_EQ(bytes.at("light_grid_header"), sizeof(GnoLightGridHeader));
+            const uint64_t nests = record["counters"]["nested_cells"], items = record["counters"]["items"];
+            EXPECT_GT(items, 0u);
+            EXPECT_EQ(bytes.at("lists"), sizeof(GnoLightGridList) * gnoLightGridLists(gnoCellCount(64, light == "0" ? 6 : 1), uint(nests)));
+            EXPECT_EQ(bytes.at("items"), (sizeof(GnoLightGridItem) * items + 15) / 16 * 16);  // whole 16 bytes, as all buffers
         } else {
             EXPECT_EQ(bytes.at("frame"), sizeof(GnoClusterFrame) + sizeof(GnoClusterLayout));
             EXPECT_EQ(bytes.at("header"), sizeof(GnoClusterHeader));

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "host_min/techniques/forest_trees.hpp"
+#include "host_min/techniques/cell_assignment.hpp"
 #include "validation/mutants/forest_cases.hpp"
 
 namespace gno::mutants {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <map>
 #include <set>
@@ -115,9 +116,45 @@ TEST(ForestTechnique, OneMaskWhateverTheSettings) {
         for (const char* cells : {"cells=1", "cells=8", "cells=256"})
             for (const char* cull : {"view_cull=on", "view_cull=off"})
                 for (const char* cover : {"cover=on", "cover=off"}) asked.expectRight({cells, cull, cover});
-        for (const Strings& query : {Strings{"query=stack"}, Strings{"query=stack", "stack=1"}, Strings{"query=stackless"}, Strings{"query=hybrid", "stack=1"}, Strings{"seed=7"}})
+        for (const Strings& query : {Strings{"query=stack"}, Strings{"query=stack", "stack=1"}, Strings{"query=stackless"},
+                                     Strings{"query=hybrid", "stack=1"}, Strings{"seed=7"}, Strings{"nodes=64"}, Strings{"nodes=64", "query=stack"},
+                                     Strings{"nodes=64", "query=stackless"}, Strings{"nodes=64", "slab=on"}})
             asked.expectRight(query);
         expectWhole(asked.run({"cells=8", "view_cull=off"}, true), asked.scene().triangles.size());
+    }
+}
+
+TEST(ForestTechnique, NodesWithoutPlanesTakeHalf) {
+    for (const bool directional : {false, true}) {
+        Asked asked(soup(directional));
+        const auto bytes = [](const host::TechniqueResult& result) {
+            return std::map<std::string, uint64_t>(result.bytes.begin(), result.bytes.end());
+        };
+        const host::TechniqueResult with = asked.run({"cells=8", "nodes=128"}, true), without = asked.run({"cells=8", "nodes=64"}, true);
+        const uint64_t pairs = numberOf(with, "pairs");
+        EXPECT_EQ(numberOf(without, "pairs"), pairs);
+        EXPECT_EQ(bytes(with).at("trees"), 128 * pairs);
+        EXPECT_EQ(bytes(without).at("trees"), 64 * pairs);
+        EXPECT_EQ(bytes(without).at("pairs"), 8 * pairs);
+        EXPECT_TRUE(std::none_of(without.dump.begin(), without.dump.end(), [](const host::DumpedBuffer& buffer) { return buffer.name == "planes"; }));
+    }
+}
+
+/// The same bits, computed anew: with one thread that builds, the same trees, and each sample sees the same nodes.
+TEST(ForestTechnique, NodesWithoutPlanesAreTheSameTrees) {
+    const char* threads = std::getenv("LP_NUM_THREADS");
+    if (!threads || std::string(threads) > "1")
+        GTEST_SKIP() << "invocations that insert at the same time may meet in another order: set LP_NUM_THREADS=1";
+    for (const bool directional : {false, true}) {
+        Asked asked(soup(directional));
+        const host::TechniqueResult with = asked.run({"cells=8", "nodes=128"}, true), without = asked.run({"cells=8", "nodes=64"}, true);
+        EXPECT_EQ(with.visibility, without.visibility);
+        EXPECT_EQ(with.visitedNodes, without.visitedNodes);
+        EXPECT_EQ(with.counters.exactCalls, without.counters.exactCalls);
+        EXPECT_EQ(numberOf(with, "build_steps"), numberOf(without, "build_steps"));
+        EXPECT_EQ(numberOf(with, "inserted"), numberOf(without, "inserted"));
+        const auto words = [](const host::TechniqueResult& result) { return dumped<uint32_t>(result, "links"); };
+        EXPECT_EQ(words(with), words(without));
     }
 }
 

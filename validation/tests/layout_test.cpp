@@ -8,6 +8,8 @@
 
 #include "glsl/clusters/cluster.h"
 #include "glsl/forest/cells.h"
+#include "glsl/rivals/light_grid.h"
+#include "glsl/rivals/light_bvh.h"
 #include "glsl/shadow_map/view.h"
 #include "glsl/top/node.h"
 #include "host_min/frame/inputs.hpp"
@@ -100,6 +102,16 @@ TEST(Layout, LinksAndPlanesOfATopTree) {
         EXPECT_EQ(plane.basetype, spirv_cross::SPIRType::Float);
         EXPECT_EQ(plane.vecsize, 4u);
         EXPECT_EQ(reflection.stride("gnoTopPlanes"), 16u);
+    }
+}
+
+TEST(Layout, SlabsOfATopTree) {
+    const std::vector<Member> slab{MEMBER(GnoTopSlab, positive), MEMBER(GnoTopSlab, negative), MEMBER(GnoTopSlab, positiveDepth), MEMBER(GnoTopSlab, intersectionDepth)};
+    for (const std::string shader : {"forest/examples/set_up.comp", "forest/examples/build.comp", "forest/examples/query_hybrid.comp", "forest/examples/query_stack.frag"}) {
+        SCOPED_TRACE(shader);
+        const Reflection reflection(shader);
+        expectSame(reflection.layout(reflection.contents("gnoTopSlabs").self), slab, sizeof(GnoTopSlab));
+        EXPECT_EQ(reflection.stride("gnoTopSlabs"), sizeof(GnoTopSlab));
     }
 }
 
@@ -214,6 +226,34 @@ TEST(Layout, GridCellsPairsAndHeaderOfAForest) {
     EXPECT_EQ(gnoCellCount(1024, 6), 6u << 20);
 }
 
+TEST(Layout, ArraysOfALightSpaceHierarchy) {
+    const std::vector<Member> header{MEMBER(GnoLightBvhHeader, groupsOfReferences), MEMBER(GnoLightBvhHeader, one0), MEMBER(GnoLightBvhHeader, one1),
+                                     MEMBER(GnoLightBvhHeader, references),         MEMBER(GnoLightBvhHeader, groupsOfTiles),
+                                     MEMBER(GnoLightBvhHeader, one2),               MEMBER(GnoLightBvhHeader, one3), MEMBER(GnoLightBvhHeader, roots)};
+    const std::vector<Member> grid{MEMBER(GnoForestGrid, across),    MEMBER(GnoForestGrid, along),      MEMBER(GnoForestGrid, stepAcross),
+                                   MEMBER(GnoForestGrid, stepAlong), MEMBER(GnoForestGrid, resolution), MEMBER(GnoForestGrid, faces)};
+    const std::vector<Member> box{MEMBER(GnoLightBvhBox, low), MEMBER(GnoLightBvhBox, high), MEMBER(GnoLightBvhBox, least), MEMBER(GnoLightBvhBox, link)};
+    const std::vector<Member> node{MEMBER(GnoLightBvhNode, low), MEMBER(GnoLightBvhNode, high), MEMBER(GnoLightBvhNode, least), MEMBER(GnoLightBvhNode, link)};
+    const std::vector<Member> level{MEMBER(GnoLightBvhLevel, groups), MEMBER(GnoLightBvhLevel, one0), MEMBER(GnoLightBvhLevel, one1),
+                                    MEMBER(GnoLightBvhLevel, count), MEMBER(GnoLightBvhLevel, first)};
+    for (const std::string shader : {"count.comp", "emit.comp", "split.comp", "query_stack.comp", "query_stackless.frag"}) {
+        SCOPED_TRACE(shader);
+        const Reflection reflection("rivals/examples/light_bvh_" + shader);
+        expectSame(reflection.member("gnoLightBvhGrid", 0), grid, sizeof(GnoForestGrid));
+    }
+    const Reflection collapse("rivals/examples/light_bvh_collapse.comp"), split("rivals/examples/light_bvh_split.comp");
+    expectSame(split.member("gnoLightBvhHeader", 0), header, sizeof(GnoLightBvhHeader));
+    expectSame(split.member("gnoLightBvhBoxes_", 0), box, sizeof(GnoLightBvhBox));
+    expectSame(collapse.member("gnoLightBvhNode", 0), node, sizeof(GnoLightBvhNode));
+    expectSame(collapse.member("gnoLightBvhLevels", 0), level, sizeof(GnoLightBvhLevel));
+    expectSame(Reflection("rivals/examples/light_bvh_query_stack.frag").member("gnoLightBvhNode", 0), node, sizeof(GnoLightBvhNode));
+    EXPECT_EQ(split.stride("gnoLightBvhBoxes_"), sizeof(GnoLightBvhBox));
+    EXPECT_EQ(collapse.stride("gnoLightBvhNode"), sizeof(GnoLightBvhNode));
+    EXPECT_EQ(collapse.stride("gnoLightBvhLevels"), sizeof(GnoLightBvhLevel));
+    for (const size_t offset : {offsetof(GnoLightBvhHeader, groupsOfReferences), offsetof(GnoLightBvhHeader, groupsOfTiles), sizeof(GnoLightBvhLevel)})
+        EXPECT_EQ(offset % 4, 0u) << "an indirect dispatch reads it";
+}
+
 TEST(Layout, ViewsOfAShadowMap) {
     const std::vector<Member> header{MEMBER(GnoShadowMapHeader, viewCount), MEMBER(GnoShadowMapHeader, size), MEMBER(GnoShadowMapHeader, unused0),
                                      MEMBER(GnoShadowMapHeader, unused1)};
@@ -256,6 +296,28 @@ TEST(Layout, PushBlockOfEveryShader) {
 }
 
 /// The comparison can fail: C++ structs that are wrong in one way each do not pass for the SPIR-V's.
+TEST(Layout, LightGrid) {
+    const std::vector<Member> list{MEMBER(GnoLightGridList, first), MEMBER(GnoLightGridList, end)};
+    const std::vector<Member> item{MEMBER(GnoLightGridItem, depth), MEMBER(GnoLightGridItem, caster)};
+    const std::vector<Member> header{MEMBER(GnoLightGridHeader, groupsOfPairs), MEMBER(GnoLightGridHeader, one0),  MEMBER(GnoLightGridHeader, one1),
+                                     MEMBER(GnoLightGridHeader, nests),         MEMBER(GnoLightGridHeader, groupsOfLists), MEMBER(GnoLightGridHeader, one2),
+                                     MEMBER(GnoLightGridHeader, one3),          MEMBER(GnoLightGridHeader, items)};
+    for (const std::string shader : {"rivals/examples/light_grid_pairs.comp", "rivals/examples/light_grid_sort.comp", "rivals/examples/light_grid_query_planes.frag"}) {
+        SCOPED_TRACE(shader);
+        const Reflection reflection(shader);
+        expectSame(reflection.layout(reflection.contents("gnoGridLists").self), list, sizeof(GnoLightGridList));
+        expectSame(reflection.layout(reflection.contents("gnoGridItems").self), item, sizeof(GnoLightGridItem));
+        EXPECT_EQ(reflection.stride("gnoGridLists"), 8u);
+        EXPECT_EQ(reflection.stride("gnoGridItems"), 8u);
+        EXPECT_EQ(reflection.stride("gnoGridPlanes"), 16u);
+    }
+    const Reflection open("rivals/examples/light_grid_open.comp");
+    expectSame(open.layout(open.contents("gnoGridHeader").self), header, sizeof(GnoLightGridHeader));
+    EXPECT_EQ(open.stride("gnoGridDepths"), 4u);
+    EXPECT_EQ(gnoLightGridLists(6 * 64 * 64, 3), 6u * 64 * 64 + 3 * 64);
+    EXPECT_EQ(gnoLightGridLists(1, 0), 64u) << "the cells' own lists are whole work groups";
+}
+
 TEST(Layout, ComparisonSeesWrongStructs) {
     struct Swapped {
         uint intersectionChild, positiveChild, aux, wedge;

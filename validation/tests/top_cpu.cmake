@@ -1,1 +1,2 @@
+gnomon_add_test(top_slab_test LIBRARIES gnomon_top_check)
 gnomon_add_device_test(top_cpu_test LIBRARIES gnomon_top_check gnomon_top_plain)

@@ -4,7 +4,12 @@
 // Each pair goes into its cell's tree. One invocation per pair, in random order.
 layout(local_size_x = 64) in;
 layout(constant_id = 0) const uint kPrecision = 2u;
+layout(constant_id = 3) const uint kSlab = 0u;
+layout(constant_id = 4) const uint kStorePlanes = 1u;
 #define GNO_PRECISION kPrecision
+#define GNO_TOP_BIND_SLABS 1
+#define GNO_TOP_SLAB kSlab
+#define GNO_TOP_STORE_PLANES kStorePlanes
 #include "../../core/bindings.glsl"
 #include "../../core/examples/frame.glsl"
 #include "../../core/permutation.glsl"

@@ -1,10 +1,15 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Planes and empty links of each pair. One invocation per pair.
+// Planes, where they are kept, and empty links of each pair. One invocation per pair.
 layout(local_size_x = 64) in;
 layout(constant_id = 0) const uint kPrecision = 2u;
+layout(constant_id = 3) const uint kSlab = 0u;
+layout(constant_id = 4) const uint kStorePlanes = 1u;
 #define GNO_PRECISION kPrecision
+#define GNO_TOP_BIND_SLABS 1
+#define GNO_TOP_SLAB kSlab
+#define GNO_TOP_STORE_PLANES kStorePlanes
 #include "../../core/bindings.glsl"
 #include "../../core/caster_state.glsl"
 #include "../../core/examples/frame.glsl"

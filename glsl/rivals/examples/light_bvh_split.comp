@@ -1,0 +1,7 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Step 7: one invocation per reference.
+#include "light_bvh_frame.glsl"
+
+void main() { gnoLightBvhSplit(gl_GlobalInvocationID.x); }

@@ -1,0 +1,8 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Before light_grid_open.comp. One invocation.
+layout(local_size_x = 1) in;
+#include "light_grid_frame.glsl"
+
+void main() { gnoLightGridReset(); }

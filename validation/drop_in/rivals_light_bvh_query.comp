@@ -1,0 +1,18 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Way A: our buffers, our numbers.
+layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
+#define GNO_LIGHT push.light
+#include "gnomon/core/bindings.glsl"
+#include "gnomon/rivals/light_bvh_bindings.glsl"
+#include "gnomon/rivals/light_bvh_query.glsl"
+layout(local_size_x = 64) in;
+layout(set = 2, binding = 9, std430) writeonly buffer Results { vec4 v[]; } results;
+
+void main() {
+    vec4 result;
+    GnoViewSample s = GnoViewSample(push.position.xyz, push.seed);
+    result = vec4(gnoLightBvhQuery(s) ? 1.0 : 0.0, gnoLightBvhQueryStackless(s) ? 1.0 : 0.0, 0.0, 0.0);
+    results.v[gl_GlobalInvocationID.x] = result;
+}

@@ -1,0 +1,16 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// No buffer needed.
+layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
+#include "gnomon/rivals/light_grid_place.glsl"
+layout(local_size_x = 64) in;
+layout(set = 2, binding = 9, std430) writeonly buffer Results { vec4 v[]; } results;
+
+void main() {
+    uint at = gl_GlobalInvocationID.x;
+    vec4 result;
+    GnoForestGrid grid = gnoLightGridFine(GnoForestGrid(vec4(-1.0), vec4(-1.0), 0.25, 0.25, 8u, 6u));
+    result = vec4(gnoLightGridPlace(push.light, grid, push.position.xyz), gnoLightGridAt(grid, at).xy);
+    results.v[at] = result;
+}

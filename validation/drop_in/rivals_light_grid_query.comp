@@ -1,0 +1,20 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Way A: our buffers, our numbers.
+layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
+#define GNO_LIGHT push.light
+#include "gnomon/core/bindings.glsl"
+#include "gnomon/forest/bindings.glsl"
+#define GNO_LIGHT_GRID_READ_ONLY 1
+#include "gnomon/rivals/light_grid_bindings.glsl"
+#include "gnomon/rivals/light_grid_query.glsl"
+layout(local_size_x = 64) in;
+layout(set = 2, binding = 9, std430) writeonly buffer Results { vec4 v[]; } results;
+
+void main() {
+    uint at = gl_GlobalInvocationID.x;
+    vec4 result;
+    result = vec4(gnoLightGridQuery(GnoViewSample(push.position.xyz, at)));
+    results.v[at] = result;
+}

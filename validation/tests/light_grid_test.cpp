@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+// Technique light-grid: whatever the cells and the nesting, the masks are the oracle's; its lists are complete and in order; its pools are filled
+// exactly.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+#include <set>
+
+#include "glsl/rivals/light_grid.h"
+#include "host_min/error.hpp"
+#include "validation/support/device_test.hpp"
+#include "validation/support/exact_reference.hpp"
+#include "validation/tests/oracle_cases.hpp"
+
+namespace gno {
+namespace {
+
+using host::Precision;
+using host::cases::HardCase;
+using host::cases::Random;
+using host::cases::snap;
+using Strings = std::vector<std::string>;
+
+constexpr uint32_t kSeed = 2015;
+
+glm::vec4 lightOf(bool directional) { return directional ? glm::vec4(0.375f, 1, 0.25f, 0) : glm::vec4(0.125f, 0.875f, -0.25f, 1); }
+
+/// Casters of one size anywhere, samples anywhere and on no caster: no sign is near zero, so that fp32 decides like the definition.
+test::Scene soup(bool directional, size_t casters, double size, size_t samples) {
+    Random random(kSeed);
+    test::Scene scene;
+    scene.light = lightOf(directional);
+    while (scene.triangles.size() < casters) {
+        const glm::dvec3 at = random.inCube(1 - size);
+        const auto corner = [&] { return snap(at + random.inCube(size)); };
+        const glm::vec3 a = corner(), b = corner(), c = corner();
+        scene.triangles.push_back({a, b, c});
+    }
+    while (scene.samples.size() < samples) scene.samples.push_back({snap(random.inCube()), host::kNoCaster});
+    return scene;
+}
+
+uint64_t number(const host::NamedNumbers& list, const std::string& name) {
+    for (const auto& [key, value] : list)
+        if (key == name) return value;
+    throw std::out_of_range(name);
+}
+
+/// Without counters only the timed shaders run (and are compiled).
+host::TechniqueResult run(const test::Scene& scene, const Strings& settings, Precision precision = Precision::certified, bool counters = false) {
+    const host::Frame frame = test::frameOf(scene);
+    host::FrameInputs inputs(test::passes(), frame, scene.samples);
+    inputs.setLight(scene.light, scene.cull);
+    host::StructureCache structures;
+    host::Technique& technique = host::techniqueByName("light-grid");
+    auto result = technique.run(inputs, structures, host::Settings(technique.info().settings, settings),
+                                {.precision = precision, .counters = counters, .dump = true, .warmUp = false});
+    result.visibility.resize(scene.samples.size());  // the last row may be longer
+    return result;
+}
+
+std::string complaint(const test::Scene& scene, const Strings& settings) {
+    try {
+        run(scene, settings);
+    } catch (const host::InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+void expectTheOracles(const test::Scene& scene, const std::vector<Strings>& all, const std::vector<Precision>& rungs = {Precision::certified}) {
+    const host::OracleAnswer want = test::ask(scene);
+    for (const Strings& settings : all) {
+        for (const Precision precision : rungs) {
+            const test::Wrong wrong = test::compare(run(scene, settings, precision), want);
+            EXPECT_EQ(wrong.wrong, 0u) << name(precision) << " with " << testing::PrintToString(settings) << ", leaks " << wrong.leaks
+                                       << ", first wrong: sample " << wrong.first << " (seed " << kSeed << ")";
+        }
+    }
+}
+
+template <class T>
+std::vector<T> dumped(const host::TechniqueResult& result, const std::string& name) {
+    for (const host::DumpedBuffer& buffer : result.dump) {
+        if (buffer.name != name) continue;
+        std::vector<T> records(buffer.bytes.size() / sizeof(T));
+        std::memcpy(records.data(), buffer.bytes.data(), records.size() * sizeof(T));
+        return records;
+    }
+    throw std::out_of_range(name);
+}
+
+/// Every list in order and without a caster twice, each item in one list. The length of the longest.
+size_t expectLists(const host::TechniqueResult& result) {
+    const auto lists = dumped<GnoLightGridList>(result, "lists");
+    const auto items = dumped<GnoLightGridItem>(result, "items");
+    std::vector<uint8_t> taken(items.size(), 0);
+    size_t longest = 0, total = 0, nested = 0;
+    for (const GnoLightGridList& list : lists) {
+        if (list.end == GNO_LIGHT_GRID_NESTED) {
+            ++nested;
+            continue;
+        }
+        longest = std::max<size_t>(longest, list.end - list.first);
+        total += list.end - list.first;
+        std::set<uint32_t> casters;
+        for (uint32_t i = list.first; i < list.end; ++i) {
+            EXPECT_EQ(taken.at(i)++, 0) << "item " << i;
+            EXPECT_TRUE(casters.insert(items[i].caster).second) << "caster " << items[i].caster << " is in a list twice";
+            if (i == list.first) continue;
+            const auto key = [&](uint32_t at) { return std::pair(items[at].depth, items[at].caster); };
+            EXPECT_LT(key(i - 1), key(i)) << "item " << i;
+        }
+    }
+    EXPECT_EQ(total, number(result.counters.more, "items"));
+    EXPECT_EQ(nested, number(result.counters.more, "nested_cells"));
+    return longest;
+}
+
+TEST(LightGrid, OneMaskWhateverTheCells) {
+    for (const bool directional : {false, true}) {
+        const test::Scene scene = soup(directional, 400, 0.3, 3000);
+        expectTheOracles(scene,
+                         {{}, {"cells=1", "nest=0"}, {"cells=1", "nest=1"}, {"cells=4"}, {"cells=16", "nest=1", "planes=computed"}, {"cells=256"}},
+                         {Precision::conservative, Precision::certified});
+    }
+}
+
+TEST(LightGrid, ListsThatOutliveTheView) {
+    for (const bool directional : {false, true}) expectTheOracles(soup(directional, 400, 0.3, 3000), {{"view_cull=off", "cover=off", "cells=16"}});
+}
+
+TEST(LightGrid, BothStagesGiveOneMask) {
+    if (test::passes().device().facts().subgroupSize > 8)
+        GTEST_SKIP() << "lavapipe 25.0 with LLVM 15 crashes when it compiles a graphics pipeline for width 16";
+    const test::Scene scene = soup(false, 400, 0.3, 3000);
+    for (const char* planes : {"planes=stored", "planes=computed"})
+        EXPECT_EQ(run(scene, {"stage=fragment", planes}).visibility, run(scene, {planes}).visibility);
+}
+
+/// A sample with an own caster lies strictly on the light's side of its plane (core/sample.glsl sees to it).
+void keepTheContract(test::Scene& scene) {
+    for (host::OracleSample& sample : scene.samples) {
+        if (sample.own == host::kNoCaster) continue;
+        const host::Triangle& t = scene.triangles[sample.own];
+        const auto a = exact::fixed(t.a), b = exact::fixed(t.b), c = exact::fixed(t.c), l = exact::fixed(glm::vec3(scene.light));
+        using exact::operator-;
+        const int front = scene.light.w != 0 ? exact::orient3d(a, b, c, l) : exact::sign(exact::det(b - a, c - a, l));
+        if (front == 0 || exact::orient3d(a, b, c, exact::fixed(sample.position)) != front) sample.own = host::kNoCaster;
+    }
+}
+
+// Samples on and next to planes, edges, vertices: only the definition knows, and the certified rung.
+TEST(LightGrid, HardCases) {
+    for (const HardCase& hard : host::cases::hardCases(kSeed, 320)) {
+        if (!hard.isCaster.empty()) continue;
+        SCOPED_TRACE(hard.name);
+        test::Scene scene{hard.triangles, {}, hard.light, hard.samples, host::Cull::none};
+        keepTheContract(scene);
+        expectTheOracles(scene, {{"cells=1", "nest=0"}, {"cells=4", "nest=1"}, {"cells=64", "nest=1", "planes=computed"}});
+    }
+}
+
+/// Casters whose edges lie in the border planes of cells and sub cells, samples in those planes and a unit of the grid beside them.
+TEST(LightGrid, BordersOfSubCells) {
+    for (const bool directional : {false, true}) {
+        Random random(kSeed);
+        test::Scene scene;
+        scene.light = directional ? glm::vec4(0, 0, 1, 0) : glm::vec4(0, 0, 0.5f, 1);
+        const auto border = [&] { return float(int(random.below(33)) - 16) / 16.0f; };  // of 32 sub cells along a face
+        scene.triangles = {{{-1, -1, 0}, {-0.9375f, -1, 0}, {-1, -0.9375f, 0}},
+                           {{1, 1, 0}, {0.9375f, 1, 0}, {1, 0.9375f, 0}}};  // the grid spans [-1, 1]
+        const auto onBorder = [&](float x, float y, float z) {              // x / |z - 0.5| is a border's for a point light
+            return directional ? glm::vec3(x, y, z) : glm::vec3(x * (0.5f - z), y * (0.5f - z), z);
+        };
+        for (int i = 0; i < 150; ++i) {
+            const float x = border(), y = border(), z = float(int(random.below(8))) / 32.0f;
+            const float side = x > 0 ? -0.0625f : 0.0625f, up = y > 0 ? -0.125f : 0.125f;
+            scene.triangles.push_back({onBorder(x, y, z), onBorder(x + side, y, z), onBorder(x, y + up, z)});
+        }
+        while (scene.samples.size() < 2000) {
+            glm::vec3 p = onBorder(border(), border(), -float(random.below(16)) / 32.0f);
+            if (random.below(2)) p = host::cases::neighbour(p, random);
+            if (host::cases::inCube(p)) scene.samples.push_back({p, host::kNoCaster});
+        }
+        expectTheOracles(scene, {{"cells=4", "nest=1"}, {"cells=4", "nest=0"}, {"cells=32", "nest=0"}});
+        EXPECT_GT(number(run(scene, {"cells=4", "nest=1"}).counters.more, "nested_cells"), 3u);
+    }
+}
+
+TEST(LightGrid, ListsAreCompleteAndInOrder) {
+    for (const bool directional : {false, true}) {
+        const test::Scene scene = soup(directional, 3000, 0.1, 2000);
+        EXPECT_GT(expectLists(run(scene, {"cells=1", "nest=0"})), 512u);  // blocks and merges
+        EXPECT_LT(expectLists(run(scene, {"cells=4", "nest=1"})), 512u);
+    }
+}
+
+/// One list of 1500 casters that all begin at the same depth: the order is the casters' numbers.
+TEST(LightGrid, EqualDepths) {
+    test::Scene scene;
+    scene.light = {0, 1, 0, 0};
+    for (int i = 0; i < 1500; ++i) {
+        const float x = float(i % 50 - 25) / 32.0f, z = float(i / 50 - 15) / 32.0f;
+        scene.triangles.push_back({{x, 0.25f, z}, {x + 0.03125f, 0.25f, z}, {x, 0.25f, z + 0.03125f}});
+    }
+    Random random(kSeed);
+    while (scene.samples.size() < 1000) scene.samples.push_back({snap(random.inCube()), host::kNoCaster});
+    const auto result = run(scene, {"cells=1", "nest=0", "view_cull=off"});
+    EXPECT_EQ(expectLists(result), 1500u);
+    EXPECT_EQ(test::compare(result, test::ask(scene)).wrong, 0u);
+    std::set<uint32_t> depths;
+    for (const GnoLightGridItem& item : dumped<GnoLightGridItem>(result, "items")) depths.insert(item.depth);
+    EXPECT_EQ(depths.size(), 1u);
+}
+
+TEST(LightGrid, NoCasters) {
+    for (const bool directional : {false, true}) {
+        const test::Scene scene = soup(directional, 0, 1, 100);
+        const auto result = run(scene, {}, Precision::certified, true);
+        EXPECT_EQ(result.visibility, std::vector<uint32_t>(100, GNO_VISIBILITY_LIT));
+        EXPECT_EQ(number(result.counters.more, "items"), 0u);
+        EXPECT_EQ(result.counters.visitedNodes, 0u);
+    }
+}
+
+TEST(LightGrid, Pools) {
+    const test::Scene scene = soup(false, 400, 0.3, 1000);
+    const host::OracleAnswer want = test::ask(scene);
+    for (const Strings& cells : {Strings{"cells=4", "nest=1"}, Strings{"cells=1", "nest=0"}}) {
+        const auto free = run(scene, cells);
+        const uint64_t most = std::max(number(free.counters.more, "pairs"), number(free.counters.more, "items"));
+        const auto with = [&](uint64_t pool) {
+            Strings settings = cells;
+            settings.push_back("pool=" + std::to_string(pool));
+            return settings;
+        };
+        const auto exactly = run(scene, with(most));
+        EXPECT_EQ(test::compare(exactly, want).wrong, 0u);
+        expectLists(exactly);
+        const std::string text = complaint(scene, with(most - 1));
+        EXPECT_NE(text.find("pool=" + std::to_string(most - 1)), std::string::npos) << text;
+        EXPECT_NE(text.find(std::to_string(most)), std::string::npos) << text;
+        EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+    }
+}
+
+/// The worst sample is in the pixels' counts: what they add up to is what is told of all, and nesting shortens it.
+TEST(LightGrid, CountsPerSample) {
+    const test::Scene scene = soup(false, 3000, 0.1, 2000);
+    std::vector<uint32_t> worst;
+    for (const Strings& settings : {Strings{"cells=1", "nest=0"}, Strings{"cells=4", "nest=0"}, Strings{"cells=4", "nest=1"}}) {
+        const auto result = run(scene, settings, Precision::certified, true);
+        EXPECT_EQ(std::accumulate(result.visitedNodes.begin(), result.visitedNodes.end(), uint64_t(0)), result.counters.visitedNodes);
+        worst.push_back(*std::max_element(result.visitedNodes.begin(), result.visitedNodes.end()));
+    }
+    EXPECT_GT(worst[0], worst[1]);
+    EXPECT_GT(worst[1], worst[2]);
+    EXPECT_GT(worst[2], 0u);
+}
+
+TEST(LightGrid, PassesAndBytes) {
+    const auto result = run(soup(false, 400, 0.3, 3000), {});
+    for (const host::RecordPass& pass : result.passes) EXPECT_EQ(host::isBuildPass(pass.name), pass.name != "light_grid_query") << pass.name;
+    EXPECT_EQ(number(result.bytes, "planes"), 400u * 64u);
+    EXPECT_GE(number(result.bytes, "items"), 8 * number(result.counters.more, "items"));
+    EXPECT_EQ(number(result.bytes, "lists"), 8 * (6u * 64 * 64 + 64 * number(result.counters.more, "nested_cells")));
+}
+
+}  // namespace
+}  // namespace gno
