@@ -39,6 +39,7 @@ std::string differences(vtkPolyData& cells, const Json& record) {
 struct Case {
     std::string scene;
     uint32_t light, faces;
+    std::string nodes, slab;
 };
 
 void PrintTo(const Case& one, std::ostream* out) { *out << fs::path(one.scene).stem().string() << ", light " << one.light; }
@@ -47,7 +48,7 @@ class VizForest : public testing::TestWithParam<Case> {};
 
 TEST_P(VizForest, CellsHoldWhatTheDeviceCounted) {
     const Look look(GetParam().scene, GetParam().light);
-    look.shade({"--technique", "forest", "--set", "cells=16"});
+    look.shade({"--technique", "forest", "--set", "cells=16", "--set", "nodes=" + GetParam().nodes, "--set", "slab=" + GetParam().slab});
     const Outcome outcome = look.viz({"forest", look.dump("forest"), "--limit", "50", "--size", "640x480"});
     expectDone(outcome);
     const Json record = look.record("forest");
@@ -84,7 +85,7 @@ TEST_P(VizForest, CellsHoldWhatTheDeviceCounted) {
     for (const std::string& picture : {std::string("forest-casters.png"), std::string("forest-visits.png"), stem + "-depth.png"}) expectPicture(look.file("forest", picture));
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, VizForest, testing::Values(Case{sceneFile("fence"), 0, 6}, Case{std::string(GNOMON_SCENES_DIR) + "/show_stairs.glb", 1, 1}));
+INSTANTIATE_TEST_SUITE_P(Scenes, VizForest, testing::Values(Case{sceneFile("fence"), 0, 6, "128", "off"}, Case{std::string(GNOMON_SCENES_DIR) + "/show_stairs.glb", 1, 1, "64", "on"}));
 
 class VizForestSmall : public testing::Test {
 protected:
