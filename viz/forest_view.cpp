@@ -48,7 +48,11 @@ void writeCells(const Options& options, const Dump& dump, const Forest& forest) 
 class TreePicture {
 public:
     TreePicture(const Options& options, const Dump& dump, const Forest& forest, const CellTree& tree, std::span<const Corners> corners)
-        : dump_(dump), tree_(tree), corners_(corners), coloring_(coloringOf(options.color, tree.volumes)), picture_(sizeOf(options), fmt::format("forest, {}: {}", cellName(forest, tree.cell), dump.title()), options.interactive) {
+        : dump_(dump),
+          tree_(tree),
+          corners_(corners),
+          coloring_(coloringOf(options.color, tree.volumes)),
+          picture_(sizeOf(options), fmt::format("forest, {}: {}", cellName(forest, tree.cell), dump.title()), options.interactive) {
         const auto pyramid = pyramidMesh(dump, forest, tree);
         for (const int panel : {0, 1}) {
             addMesh(picture_.panel(panel), *pyramid, {.colour = kVermilion, .lit = false, .lineWidth = 2});

@@ -2,6 +2,9 @@
 // gnomon-viz forest: its files hold what the device counted, cell by cell; other views and damaged dumps are refused in one line.
 #include <vtkCellData.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "validation/tests/viz_look.hpp"
 
 namespace gno::test {
@@ -36,6 +39,7 @@ std::string differences(vtkPolyData& cells, const Json& record) {
 struct Case {
     std::string scene;
     uint32_t light, faces;
+    std::string nodes, slab;
 };
 
 void PrintTo(const Case& one, std::ostream* out) { *out << fs::path(one.scene).stem().string() << ", light " << one.light; }
@@ -44,7 +48,7 @@ class VizForest : public testing::TestWithParam<Case> {};
 
 TEST_P(VizForest, CellsHoldWhatTheDeviceCounted) {
     const Look look(GetParam().scene, GetParam().light);
-    look.shade({"--technique", "forest", "--set", "cells=16"});
+    look.shade({"--technique", "forest", "--set", "cells=16", "--set", "nodes=" + GetParam().nodes, "--set", "slab=" + GetParam().slab});
     const Outcome outcome = look.viz({"forest", look.dump("forest"), "--limit", "50", "--size", "640x480"});
     expectDone(outcome);
     const Json record = look.record("forest");
@@ -81,7 +85,7 @@ TEST_P(VizForest, CellsHoldWhatTheDeviceCounted) {
     for (const std::string& picture : {std::string("forest-casters.png"), std::string("forest-visits.png"), stem + "-depth.png"}) expectPicture(look.file("forest", picture));
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, VizForest, testing::Values(Case{sceneFile("fence"), 0, 6}, Case{std::string(GNOMON_SCENES_DIR) + "/show_stairs.glb", 1, 1}));
+INSTANTIATE_TEST_SUITE_P(Scenes, VizForest, testing::Values(Case{sceneFile("fence"), 0, 6, "128", "off"}, Case{std::string(GNOMON_SCENES_DIR) + "/show_stairs.glb", 1, 1, "64", "on"}));
 
 class VizForestSmall : public testing::Test {
 protected:
@@ -124,6 +128,34 @@ TEST_F(VizForestSmall, EachUsedCellIsDrawn) {
         expectDone(look().viz({"forest", dump(), "--cell", std::to_string(cell), "--color", "kind", "--size", "400x300"}));
         EXPECT_TRUE(fs::exists(look().file("forest", "forest-cell-" + std::to_string(cell) + "-kind.png")));
     }
+}
+
+/// As where no caster lies before any view sample: two maps, and no tree.
+TEST_F(VizForestSmall, EmptyForest) {
+    const fs::path folder = file("cells").parent_path() / "empty";
+    fs::create_directory(folder);
+    for (const auto& entry : fs::directory_iterator(folder.parent_path()))
+        if (entry.is_regular_file()) fs::copy(entry.path(), folder / entry.path().filename());
+    const auto change = [&](const std::string& buffer, auto changed) {
+        auto words = wordsOf(file(buffer));
+        changed(words);
+        replaceFile(folder / file(buffer).filename(), std::string(reinterpret_cast<const char*>(words.data()), 4 * words.size()));
+    };
+    change("cells", [](std::vector<uint32_t>& words) {
+        for (size_t i = 0; i < words.size(); i += 4) words[i + 2] = 0, words[i + 3] = kNone;
+    });
+    change("forest_header", [](std::vector<uint32_t>& words) { words[3] = words[12] = 0; });
+    change("visited_nodes", [](std::vector<uint32_t>& words) { std::fill(words.begin(), words.end(), 0u); });
+    Json index = Json::parse(readFile(dump()));
+    for (const char* name : {"pairs", "used_cells", "visited_nodes"}) index["record"]["counters"][name] = 0;
+    const fs::path empty = folder / fs::path(dump()).filename();
+    replaceFile(empty, index.dump());
+    const Outcome outcome = look().viz({"forest", empty.string(), "--size", "640x480"});
+    expectDone(outcome);
+    EXPECT_NE(outcome.out.find("0 pairs of cell and caster in 0 of 96 cells"), std::string::npos) << outcome.out;
+    for (const char* picture : {"forest-casters.png", "forest-visits.png"}) EXPECT_TRUE(fs::exists(look().file("forest", picture)));
+    look().refuses({"forest", empty.string(), "--cell", "0"}, "no cell of the forest keeps a caster");
+    fs::remove_all(folder);
 }
 
 TEST_F(VizForestSmall, DamagedDumps) {
