@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "host_min/error.hpp"
+#include "host_min/techniques/dumped.hpp"
 #include "host_min/techniques/measure.hpp"
 
 namespace gno::host {
@@ -25,10 +26,10 @@ uint32_t mostPairs(const DeviceFacts& device) {
 
 constexpr std::array kResolutions{4u, 8u, 16u, 32u, 64u, 128u, 256u};
 
-/// What a build and a query cost together, in visited nodes of a query: a pair costs as much as 65, a sample visits 5.5 times the 0.3rd power of the pairs that a cell
+/// What a build and a query cost together, in visited nodes of a query: a pair costs as much as 65, a cell as 4, a sample visits 5.5 times the 0.3rd power of the pairs that a cell
 /// holds in the mean. Fitted to 13 scenes at 1920x1080, see glsl/README.md, "How many cells".
-double expectedVisits(const GnoForestHeader& found, uint64_t samples) {
-    return 65.0 * found.pairs + double(samples) * 5.5 * std::pow(double(found.pairs) / std::max(1u, found.used), 0.3);
+double expectedVisits(const GnoForestHeader& found, uint64_t samples, uint32_t cells) {
+    return 65.0 * found.pairs + 4.0 * cells + double(samples) * 5.5 * std::pow(double(found.pairs) / std::max(1u, found.used), 0.3);
 }
 
 }  // namespace
@@ -84,7 +85,7 @@ void ForestTrees::chooseResolution() {
     uint32_t best = kResolutions.front();
     for (const uint32_t resolution : kResolutions) {
         count(resolution);
-        const double cost = expectedVisits(found_, inputs_.sampleCount());
+        const double cost = expectedVisits(found_, inputs_.sampleCount(), assignment_.cellCount());
         if (cost < least) {
             least = cost;
             best = resolution;
@@ -149,12 +150,13 @@ NamedNumbers ForestTrees::bytes() const {
 }
 
 std::vector<DumpedBuffer> ForestTrees::dump() const {
-    std::vector<DumpedBuffer> all{{"grid", "GnoForestGrid", assignment_.grid().download()},
-                                  {"cells", "GnoForestCell cell[]", assignment_.cells().download()},
-                                  {"pairs", "GnoForestPair pair[]", assignment_.pool().download()},
-                                  {"forest_header", "GnoForestHeader", assignment_.header().download()},
-                                  {"links", "GnoTopLink link[4 * pairs]", links_.download()}};
-    if (options_.storePlanes) all.push_back({"planes", "vec4 plane[4 * pairs]", planes_.download()});
+    const uint64_t pairs = found_.pairs;
+    std::vector<DumpedBuffer> all{dumped("grid", "GnoForestGrid", assignment_.grid(), sizeof(GnoForestGrid), 1),
+                                  dumped("cells", "GnoForestCell cell[]", assignment_.cells(), sizeof(GnoForestCell), assignment_.cellCount()),
+                                  dumped("pairs", "GnoForestPair pair[]", assignment_.pool(), sizeof(GnoForestPair), pairs),
+                                  dumped("forest_header", "GnoForestHeader", assignment_.header(), sizeof(GnoForestHeader), 1),
+                                  dumped("links", "GnoTopLink link[4 * pairs]", links_, sizeof(GnoTopLink), 4 * pairs)};
+    if (options_.storePlanes) all.push_back(dumped("planes", "vec4 plane[4 * pairs]", planes_, 16, 4 * pairs));
     return all;
 }
 

@@ -8,6 +8,7 @@
 #include "glsl/core/radix_sort.h"
 #include "host_min/error.hpp"
 #include "host_min/techniques/cell_assignment.hpp"
+#include "host_min/techniques/dumped.hpp"
 #include "host_min/techniques/measure.hpp"
 
 namespace gno::host {
@@ -172,11 +173,11 @@ NamedNumbers LightBvhTree::bytes() const {
 }
 
 std::vector<DumpedBuffer> LightBvhTree::dump() const {
-    return {{"grid", "GnoForestGrid", grid_.download()},
-            {"light_bvh_header", "GnoLightBvhHeader", header_.download()},
-            {"levels", "GnoLightBvhLevel level[]", levels_.download()},
-            {"nodes", "GnoLightBvhNode node[]", nodes_.download()},
-            {"parents", "uint parent[]", parents_.download()}};
+    return {dumped("grid", "GnoForestGrid", grid_, sizeof(GnoForestGrid), 1),
+            dumped("light_bvh_header", "GnoLightBvhHeader", header_, sizeof(GnoLightBvhHeader), 1),
+            dumped("levels", "GnoLightBvhLevel level[]", levels_, sizeof(GnoLightBvhLevel), GNO_LIGHT_BVH_LEVELS),
+            dumped("nodes", "GnoLightBvhNode node[]", nodes_, sizeof(GnoLightBvhNode), nodeCount_),
+            dumped("parents", "uint parent[]", parents_, 4, nodeCount_)};
 }
 
 }  // namespace gno::host

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "host_min/error.hpp"
+#include "host_min/techniques/dumped.hpp"
 #include "host_min/techniques/measure.hpp"
 
 namespace gno::host {
@@ -148,10 +149,10 @@ NamedNumbers LightGridLists::bytes() const {
 }
 
 std::vector<DumpedBuffer> LightGridLists::dump() const {
-    return {{"grid", "GnoForestGrid", assignment_.grid().download()},
-            {"lists", "GnoLightGridList list[]", lists_.download()},
-            {"items", "GnoLightGridItem item[]", itemPool_.download()},
-            {"light_grid_header", "GnoLightGridHeader", header_.download()}};
+    return {dumped("grid", "GnoForestGrid", assignment_.grid(), sizeof(GnoForestGrid), 1),
+            dumped("lists", "GnoLightGridList list[]", lists_, sizeof(GnoLightGridList), gnoLightGridLists(assignment_.cellCount(), nests_)),
+            dumped("items", "GnoLightGridItem item[]", itemPool_, sizeof(GnoLightGridItem), items_),
+            dumped("light_grid_header", "GnoLightGridHeader", header_, sizeof(GnoLightGridHeader), 1)};
 }
 
 }  // namespace gno::host
