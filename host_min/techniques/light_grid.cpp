@@ -27,7 +27,7 @@ public:
              2097152,
              {},
              "0"},
-            {"planes",
+            {"caster_planes",
              "stored: 64 bytes per caster, asked before its vertices; computed: the vertices decide at once",
              0,
              0,
@@ -44,7 +44,7 @@ public:
                                            settings.word("view_cull") == "on",
                                            settings.word("cover") == "on",
                                            settings.number("pool"),
-                                           settings.word("planes") == "stored",
+                                           settings.word("caster_planes") == "stored",
                                            options.repeat,
                                            options.warmUp};
         const std::string key = fmt::format("light grid {} {} {} {} {} {}", gridOptions.resolution, gridOptions.nest, gridOptions.viewCull,

@@ -123,7 +123,7 @@ TEST(LightGrid, OneMaskWhateverTheCells) {
     for (const bool directional : {false, true}) {
         const test::Scene scene = soup(directional, 400, 0.3, 3000);
         expectTheOracles(scene,
-                         {{}, {"cells=1", "nest=0"}, {"cells=1", "nest=1"}, {"cells=4"}, {"cells=16", "nest=1", "planes=computed"}, {"cells=256"}},
+                         {{}, {"cells=1", "nest=0"}, {"cells=1", "nest=1"}, {"cells=4"}, {"cells=16", "nest=1", "caster_planes=computed"}, {"cells=256"}},
                          {Precision::conservative, Precision::certified});
     }
 }
@@ -136,7 +136,7 @@ TEST(LightGrid, BothStagesGiveOneMask) {
     if (test::passes().device().facts().subgroupSize > 8)
         GTEST_SKIP() << "lavapipe 25.0 with LLVM 15 crashes when it compiles a graphics pipeline for width 16";
     const test::Scene scene = soup(false, 400, 0.3, 3000);
-    for (const char* planes : {"planes=stored", "planes=computed"})
+    for (const char* planes : {"caster_planes=stored", "caster_planes=computed"})
         EXPECT_EQ(run(scene, {"stage=fragment", planes}).visibility, run(scene, {planes}).visibility);
 }
 
@@ -159,7 +159,7 @@ TEST(LightGrid, HardCases) {
         SCOPED_TRACE(hard.name);
         test::Scene scene{hard.triangles, {}, hard.light, hard.samples, host::Cull::none};
         keepTheContract(scene);
-        expectTheOracles(scene, {{"cells=1", "nest=0"}, {"cells=4", "nest=1"}, {"cells=64", "nest=1", "planes=computed"}});
+        expectTheOracles(scene, {{"cells=1", "nest=0"}, {"cells=4", "nest=1"}, {"cells=64", "nest=1", "caster_planes=computed"}});
     }
 }
 
