@@ -132,21 +132,10 @@ GNO_INLINE bool gnoForestKeeps_(uint face_, uvec2 at_, GnoCellVolume v_, bool al
     return all_ || !gnoCellMissed(GNO_LIGHT, GNO_FOREST_GRID, face_, at_, v_);
 }
 
-GNO_INLINE void gnoForestCount(GnoCellVolume v_, uint lane_, uint lanes_) {
-    for (uint face_ = v_.face; face_ < v_.faceEnd; ++face_) {
-        uvec4 r_ = gnoCellRectangle(GNO_LIGHT, GNO_FOREST_GRID, face_, v_);
-        uint width_ = r_.z - r_.x;
-        uint height_ = r_.w - r_.y;
-        for (uint n_ = lane_; n_ < width_ * height_; n_ += lanes_) {
-            uvec2 at_ = uvec2(r_.x + n_ % width_, r_.y + n_ / width_);
-            if (gnoForestKeeps_(face_, at_, v_, min(width_, height_) == 1u)) atomicAdd(GNO_FOREST_CELLS[gnoForestCell_(face_, at_)].pairs, 1u);
-        }
-    }
-}
-
-GNO_INLINE void gnoForestPut_(uint caster_, uint cell_) {
-    uint slot_ = atomicAdd(GNO_FOREST_CELLS[cell_].pairs, 1u);
-    if (slot_ < GNO_FOREST_CAPACITY) GNO_FOREST_PAIRS[slot_] = GnoForestPair(caster_, cell_);
+// A caster and a cell that keeps it: counted, or put into the pool.
+GNO_INLINE void gnoForestPair_(uint caster_, uint cell_, bool put_) {
+    uint before_ = atomicAdd(GNO_FOREST_CELLS[cell_].pairs, 1u);
+    if (put_ && before_ < GNO_FOREST_CAPACITY) GNO_FOREST_PAIRS[before_] = GnoForestPair(caster_, cell_);
 }
 
 GNO_INLINE void gnoForestFew_(uint caster_, bool put_) {
@@ -154,8 +143,19 @@ GNO_INLINE void gnoForestFew_(uint caster_, bool put_) {
     for (uint n_ = 0u; n_ < 4u; ++n_) {
         uint cell_ = (few_.cells & 0x0FFFFFFFu) + (n_ & 1u) + (n_ >> 1) * GNO_FOREST_GRID.resolution;
         if ((few_.cells & (1u << (28u + n_))) == 0u || !gnoForestOpen_(cell_, few_.least)) continue;
-        if (put_) gnoForestPut_(caster_, cell_);
-        else atomicAdd(GNO_FOREST_CELLS[cell_].pairs, 1u);
+        gnoForestPair_(caster_, cell_, put_);
+    }
+}
+
+GNO_INLINE void gnoForestMore_(uint caster_, GnoCellVolume v_, uint lane_, uint lanes_, bool put_) {
+    for (uint face_ = v_.face; face_ < v_.faceEnd; ++face_) {
+        uvec4 r_ = gnoCellRectangle(GNO_LIGHT, GNO_FOREST_GRID, face_, v_);
+        uint width_ = r_.z - r_.x;
+        uint height_ = r_.w - r_.y;
+        for (uint n_ = lane_; n_ < width_ * height_; n_ += lanes_) {
+            uvec2 at_ = uvec2(r_.x + n_ % width_, r_.y + n_ / width_);
+            if (gnoForestKeeps_(face_, at_, v_, min(width_, height_) == 1u)) gnoForestPair_(caster_, gnoForestCell_(face_, at_), put_);
+        }
     }
 }
 
@@ -163,24 +163,16 @@ GNO_INLINE void gnoForestCountFew(uint caster_) { gnoForestFew_(caster_, false);
 
 GNO_INLINE void gnoForestEmitFew(uint caster_) { gnoForestFew_(caster_, true); }
 
+GNO_INLINE void gnoForestCount(GnoCellVolume v_, uint lane_, uint lanes_) { gnoForestMore_(0u, v_, lane_, lanes_, false); }
+
+GNO_INLINE void gnoForestEmit(uint caster_, GnoCellVolume v_, uint lane_, uint lanes_) { gnoForestMore_(caster_, v_, lane_, lanes_, true); }
+
 GNO_INLINE void gnoForestAllocate(uint cell_) {
     uint count_ = GNO_FOREST_CELLS[cell_].pairs;
     GNO_FOREST_CELLS[cell_].root = GNO_FOREST_NONE;
     if (count_ == 0u) return;
     GNO_FOREST_CELLS[cell_].pairs = atomicAdd(GNO_FOREST_HEADER.pairs, count_);
     atomicAdd(GNO_FOREST_HEADER.used, 1u);
-}
-
-GNO_INLINE void gnoForestEmit(uint caster_, GnoCellVolume v_, uint lane_, uint lanes_) {
-    for (uint face_ = v_.face; face_ < v_.faceEnd; ++face_) {
-        uvec4 r_ = gnoCellRectangle(GNO_LIGHT, GNO_FOREST_GRID, face_, v_);
-        uint width_ = r_.z - r_.x;
-        uint height_ = r_.w - r_.y;
-        for (uint n_ = lane_; n_ < width_ * height_; n_ += lanes_) {
-            uvec2 at_ = uvec2(r_.x + n_ % width_, r_.y + n_ / width_);
-            if (gnoForestKeeps_(face_, at_, v_, min(width_, height_) == 1u)) gnoForestPut_(caster_, gnoForestCell_(face_, at_));
-        }
-    }
 }
 
 GNO_INLINE void gnoForestSizes() {

@@ -3,7 +3,7 @@
 //
 //   void gnoLightGridSort(uint group, uint lane)      lists 64 group .. 64 group + 63; all 64 invocations of a work group call it, lane 0 .. 63
 //
-// A short list is sorted by one invocation, by insertion; a longer one by the whole work group: blocks of 512 items in shared memory (runs of eight by insertion, then merges
+// A short list is sorted by one invocation, by insertion with shrinking gaps; a longer one by the whole work group: blocks of 512 items in shared memory (runs of eight by insertion, then merges
 // in which each item finds its place in the other run by bisection), and above that in place by Batcher's bitonic merges, in the form in which every comparison puts the
 // smaller item first, so that a list whose length is no power of two needs nothing at its end (comparisons with what is not there are left out). A caster is
 // once in a list, so the order is total and the lists do not depend on the order in which their items came.
@@ -12,7 +12,7 @@
 // Stages     compute, work groups of 64; it holds barriers: all invocations of the work group call it
 // Requires   #version 450, no extension
 // Reads      lists; writes items. What one invocation writes another one of the group reads after memoryBarrierBuffer() and barrier(); the items must be `coherent`
-// Cost       n items: up to GNO_LIGHT_GRID_SHORT, n^2 / 4 steps of one invocation; up to 512, n (log2 n)^2 / 128 of each of the group's; above, (log2(n / 512))^2 n / 256
+// Cost       n items: up to GNO_LIGHT_GRID_SHORT, fewer than n^2 / 4 steps of one invocation; up to 512, n (log2 n)^2 / 128 of each of the group's; above, (log2(n / 512))^2 n / 256
 //            more; 8 KiB of shared memory
 //
 // Macro                     required  default  meaning

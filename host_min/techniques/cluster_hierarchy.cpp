@@ -13,7 +13,6 @@
 namespace gno::host {
 namespace {
 
-constexpr uint32_t kMostGroups = 65535;  // the least maxComputeWorkGroupCount that Vulkan allows
 constexpr uint32_t kTotals = 5;
 constexpr uint32_t kMasks = 1, kBounds = 2;  // GNO_CLUSTER_MASKS_OF_NODES, GNO_CLUSTER_BOUNDS_OF_NODES
 

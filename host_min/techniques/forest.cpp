@@ -32,17 +32,17 @@ public:
     const TechniqueInfo& info() const override { return info_; }
 
     TechniqueResult run(const FrameInputs& inputs, StructureCache& structures, const Settings& settings, const RunOptions& options) override {
-        const ForestOptions forestOptions{options.precision,
-                                          settings.word("cells") == "auto" ? 0 : uint32_t(std::stoul(settings.word("cells"))),
-                                          settings.word("view_cull") == "on",
-                                          settings.word("cover") == "on",
-                                          settings.word("slab") == "on",
-                                          settings.word("nodes") == "128",
-                                          settings.number("pool"),
-                                          settings.number("seed"),
-                                          options.repeat,
-                                          options.warmUp,
-                                          options.counters};
+        const ForestOptions forestOptions{.precision = options.precision,
+                                          .resolution = settings.word("cells") == "auto" ? 0 : uint32_t(std::stoul(settings.word("cells"))),
+                                          .viewCull = settings.word("view_cull") == "on",
+                                          .cover = settings.word("cover") == "on",
+                                          .slab = settings.word("slab") == "on",
+                                          .storePlanes = settings.word("nodes") == "128",
+                                          .pool = settings.number("pool"),
+                                          .seed = settings.number("seed"),
+                                          .repeat = options.repeat,
+                                          .warmUp = options.warmUp,
+                                          .counters = options.counters};
         const std::string key = fmt::format("forest {} {} {} {} {} {} {} {}", name(options.precision), forestOptions.resolution, forestOptions.viewCull,
                                             forestOptions.cover, forestOptions.slab, forestOptions.storePlanes, forestOptions.pool, forestOptions.seed);
         const ForestTrees& trees = structures.get<ForestTrees>(key, [&] { return std::make_shared<ForestTrees>(inputs, forestOptions); });

@@ -15,8 +15,6 @@
 namespace gno::host {
 namespace {
 
-constexpr uint32_t kMostGroups = 65535;  // the least maxComputeWorkGroupCount that Vulkan allows
-
 uint32_t groupsOf(uint32_t count) { return std::max(1u, (count + GNO_FOREST_GROUP - 1) / GNO_FOREST_GROUP); }
 
 /// Pairs whose planes fit one binding, and whose passes fit one row of work groups.

@@ -14,8 +14,6 @@
 namespace gno::host {
 namespace {
 
-constexpr uint32_t kMostGroups = 65535;  // the least maxComputeWorkGroupCount that Vulkan allows
-
 uint32_t groupsOf(uint32_t count) { return std::max(1u, gnoLightBvhGroups(count)); }
 
 /// References whose nodes fit one binding, and whose passes fit one row of work groups.

@@ -12,16 +12,14 @@
 namespace gno::host {
 namespace {
 
-constexpr uint32_t kMaxGroups = 65535;  // the least maxComputeWorkGroupCount[0] that Vulkan allows
-
 /// At least one: set-up writes the header of an empty tree too.
 uint32_t groupCount(const DeviceFacts& device, uint32_t triangles, uint32_t groupSize) {
     if (groupSize > device.maxComputeWorkGroupInvocations)
         throw InputError(fmt::format("--set group={}: the device's maxComputeWorkGroupInvocations is {}", groupSize, device.maxComputeWorkGroupInvocations));
     const uint32_t groups = std::max(1u, (triangles + groupSize - 1) / groupSize);
-    if (groups > kMaxGroups)
+    if (groups > kMostGroups)
         throw InputError(fmt::format("--set group={}: {} triangles would need {} work groups, over the limit of {}; use at least {}", groupSize,
-                                     triangles, groups, kMaxGroups, (triangles + kMaxGroups - 1) / kMaxGroups));
+                                     triangles, groups, kMostGroups, (triangles + kMostGroups - 1) / kMostGroups));
     return groups;
 }
 

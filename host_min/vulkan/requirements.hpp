@@ -9,6 +9,8 @@
 
 namespace gno::host {
 
+inline constexpr uint32_t kMostGroups = 65535;  ///< work groups in a row of a dispatch: the least maxComputeWorkGroupCount[0] that Vulkan allows
+
 /// The properties of one physical device that decide whether it will do; names are Vulkan's own.
 struct DeviceFacts {
     std::string deviceName;

@@ -10,9 +10,7 @@
 
 #include "glsl/rivals/light_grid.h"
 #include "host_min/error.hpp"
-#include "validation/support/device_test.hpp"
-#include "validation/support/exact_reference.hpp"
-#include "validation/tests/oracle_cases.hpp"
+#include "validation/tests/made_scenes.hpp"
 
 namespace gno {
 namespace {
@@ -24,23 +22,6 @@ using host::cases::snap;
 using Strings = std::vector<std::string>;
 
 constexpr uint32_t kSeed = 2015;
-
-glm::vec4 lightOf(bool directional) { return directional ? glm::vec4(0.375f, 1, 0.25f, 0) : glm::vec4(0.125f, 0.875f, -0.25f, 1); }
-
-/// Casters of one size anywhere, samples anywhere and on no caster: no sign is near zero, so that fp32 decides like the definition.
-test::Scene soup(bool directional, size_t casters, double size, size_t samples) {
-    Random random(kSeed);
-    test::Scene scene;
-    scene.light = lightOf(directional);
-    while (scene.triangles.size() < casters) {
-        const glm::dvec3 at = random.inCube(1 - size);
-        const auto corner = [&] { return snap(at + random.inCube(size)); };
-        const glm::vec3 a = corner(), b = corner(), c = corner();
-        scene.triangles.push_back({a, b, c});
-    }
-    while (scene.samples.size() < samples) scene.samples.push_back({snap(random.inCube()), host::kNoCaster});
-    return scene;
-}
 
 uint64_t number(const host::NamedNumbers& list, const std::string& name) {
     for (const auto& [key, value] : list)
@@ -121,7 +102,7 @@ size_t expectLists(const host::TechniqueResult& result) {
 
 TEST(LightGrid, OneMaskWhateverTheCells) {
     for (const bool directional : {false, true}) {
-        const test::Scene scene = soup(directional, 400, 0.3, 3000);
+        const test::Scene scene = test::soup(kSeed, directional, 400, 0.3, 3000);
         expectTheOracles(scene,
                          {{}, {"cells=1", "nest=0"}, {"cells=1", "nest=1"}, {"cells=4"}, {"cells=16", "nest=1", "caster_planes=computed"}, {"cells=256"}},
                          {Precision::conservative, Precision::certified});
@@ -129,27 +110,15 @@ TEST(LightGrid, OneMaskWhateverTheCells) {
 }
 
 TEST(LightGrid, ListsThatOutliveTheView) {
-    for (const bool directional : {false, true}) expectTheOracles(soup(directional, 400, 0.3, 3000), {{"view_cull=off", "cover=off", "cells=16"}});
+    for (const bool directional : {false, true}) expectTheOracles(test::soup(kSeed, directional, 400, 0.3, 3000), {{"view_cull=off", "cover=off", "cells=16"}});
 }
 
 TEST(LightGrid, BothStagesGiveOneMask) {
     if (test::passes().device().facts().subgroupSize > 8)
         GTEST_SKIP() << "lavapipe 25.0 with LLVM 15 crashes when it compiles a graphics pipeline for width 16";
-    const test::Scene scene = soup(false, 400, 0.3, 3000);
+    const test::Scene scene = test::soup(kSeed, false, 400, 0.3, 3000);
     for (const char* planes : {"caster_planes=stored", "caster_planes=computed"})
         EXPECT_EQ(run(scene, {"stage=fragment", planes}).visibility, run(scene, {planes}).visibility);
-}
-
-/// A sample with an own caster lies strictly on the light's side of its plane (core/sample.glsl sees to it).
-void keepTheContract(test::Scene& scene) {
-    for (host::OracleSample& sample : scene.samples) {
-        if (sample.own == host::kNoCaster) continue;
-        const host::Triangle& t = scene.triangles[sample.own];
-        const auto a = exact::fixed(t.a), b = exact::fixed(t.b), c = exact::fixed(t.c), l = exact::fixed(glm::vec3(scene.light));
-        using exact::operator-;
-        const int front = scene.light.w != 0 ? exact::orient3d(a, b, c, l) : exact::sign(exact::det(b - a, c - a, l));
-        if (front == 0 || exact::orient3d(a, b, c, exact::fixed(sample.position)) != front) sample.own = host::kNoCaster;
-    }
 }
 
 // Samples on and next to planes, edges, vertices: only the definition knows, and the certified rung.
@@ -158,7 +127,7 @@ TEST(LightGrid, HardCases) {
         if (!hard.isCaster.empty()) continue;
         SCOPED_TRACE(hard.name);
         test::Scene scene{hard.triangles, {}, hard.light, hard.samples, host::Cull::none};
-        keepTheContract(scene);
+        test::keepTheContract(scene);
         expectTheOracles(scene, {{"cells=1", "nest=0"}, {"cells=4", "nest=1"}, {"cells=64", "nest=1", "caster_planes=computed"}});
     }
 }
@@ -192,7 +161,7 @@ TEST(LightGrid, BordersOfSubCells) {
 
 TEST(LightGrid, ListsAreCompleteAndInOrder) {
     for (const bool directional : {false, true}) {
-        const test::Scene scene = soup(directional, 3000, 0.1, 2000);
+        const test::Scene scene = test::soup(kSeed, directional, 3000, 0.1, 2000);
         EXPECT_GT(expectLists(run(scene, {"cells=1", "nest=0"})), 512u);  // blocks and merges
         EXPECT_LT(expectLists(run(scene, {"cells=4", "nest=1"})), 512u);
     }
@@ -218,7 +187,7 @@ TEST(LightGrid, EqualDepths) {
 
 TEST(LightGrid, NoCasters) {
     for (const bool directional : {false, true}) {
-        const test::Scene scene = soup(directional, 0, 1, 100);
+        const test::Scene scene = test::soup(kSeed, directional, 0, 1, 100);
         const auto result = run(scene, {}, Precision::certified, true);
         EXPECT_EQ(result.visibility, std::vector<uint32_t>(100, GNO_VISIBILITY_LIT));
         EXPECT_EQ(number(result.counters.more, "items"), 0u);
@@ -227,7 +196,7 @@ TEST(LightGrid, NoCasters) {
 }
 
 TEST(LightGrid, Pools) {
-    const test::Scene scene = soup(false, 400, 0.3, 1000);
+    const test::Scene scene = test::soup(kSeed, false, 400, 0.3, 1000);
     const host::OracleAnswer want = test::ask(scene);
     for (const Strings& cells : {Strings{"cells=4", "nest=1"}, Strings{"cells=1", "nest=0"}}) {
         const auto free = run(scene, cells);
@@ -249,7 +218,7 @@ TEST(LightGrid, Pools) {
 
 /// The worst sample is in the pixels' counts: what they add up to is what is told of all, and nesting shortens it.
 TEST(LightGrid, CountsPerSample) {
-    const test::Scene scene = soup(false, 3000, 0.1, 2000);
+    const test::Scene scene = test::soup(kSeed, false, 3000, 0.1, 2000);
     std::vector<uint32_t> worst;
     for (const Strings& settings : {Strings{"cells=1", "nest=0"}, Strings{"cells=4", "nest=0"}, Strings{"cells=4", "nest=1"}}) {
         const auto result = run(scene, settings, Precision::certified, true);
@@ -262,7 +231,7 @@ TEST(LightGrid, CountsPerSample) {
 }
 
 TEST(LightGrid, PassesAndBytes) {
-    const auto result = run(soup(false, 400, 0.3, 3000), {});
+    const auto result = run(test::soup(kSeed, false, 400, 0.3, 3000), {});
     for (const host::RecordPass& pass : result.passes) EXPECT_EQ(host::isBuildPass(pass.name), pass.name != "light_grid_query") << pass.name;
     EXPECT_EQ(number(result.bytes, "planes"), 400u * 64u);
     EXPECT_GE(number(result.bytes, "items"), 8 * number(result.counters.more, "items"));

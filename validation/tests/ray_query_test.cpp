@@ -8,8 +8,7 @@
 #include "host_min/error.hpp"
 #include "host_min/scene/scene.hpp"
 #include "validation/support/camera_view.hpp"
-#include "validation/support/device_test.hpp"
-#include "validation/tests/oracle_cases.hpp"
+#include "validation/tests/made_scenes.hpp"
 
 namespace gno {
 namespace {
@@ -20,23 +19,6 @@ using host::cases::snap;
 using Strings = std::vector<std::string>;
 
 constexpr uint32_t kSeed = 2016;
-
-glm::vec4 lightOf(bool directional) { return directional ? glm::vec4(0.375f, 1, 0.25f, 0) : glm::vec4(0.125f, 0.875f, -0.25f, 1); }
-
-/// Casters anywhere, samples anywhere and on no caster: no tie.
-test::Scene soup(bool directional, size_t casters, double size, size_t samples) {
-    Random random(kSeed);
-    test::Scene scene;
-    scene.light = lightOf(directional);
-    while (scene.triangles.size() < casters) {
-        const glm::dvec3 at = random.inCube(1 - size);
-        const auto corner = [&] { return snap(at + random.inCube(size)); };
-        const glm::vec3 a = corner(), b = corner(), c = corner();
-        scene.triangles.push_back({a, b, c});
-    }
-    while (scene.samples.size() < samples) scene.samples.push_back({snap(random.inCube()), host::kNoCaster});
-    return scene;
-}
 
 uint64_t shadowed(const host::OracleAnswer& answer) { return uint64_t(std::count(answer.inShadow.begin(), answer.inShadow.end(), 1)); }
 
@@ -58,23 +40,23 @@ void expectTheOracles(const test::Scene& scene, uint64_t leastShadowed) {
 
 TEST(RayQuery, OneCaster) {
     for (const bool directional : {false, true}) {
-        test::Scene scene = soup(directional, 0, 1, 2000);
+        test::Scene scene = test::soup(kSeed, directional, 0, 1, 2000);
         scene.triangles = {{{-0.5f, 0.25f, -0.5f}, {0.75f, 0.375f, -0.25f}, {0, 0.25f, 0.75f}}};
         expectTheOracles(scene, 50);
     }
 }
 
 TEST(RayQuery, Soup) {
-    for (const bool directional : {false, true}) expectTheOracles(soup(directional, 400, 0.2, 3000), 300);
+    for (const bool directional : {false, true}) expectTheOracles(test::soup(kSeed, directional, 400, 0.2, 3000), 300);
 }
 
 TEST(RayQuery, SixteenThousandCasters) {
-    for (const bool directional : {false, true}) expectTheOracles(soup(directional, 16384, 0.03, 3000), 300);
+    for (const bool directional : {false, true}) expectTheOracles(test::soup(kSeed, directional, 16384, 0.03, 3000), 300);
 }
 
 // Lavapipe 25.0 with LLVM 15 crashes when it compiles a graphics pipeline for width 16.
 TEST(RayQuery, BothStagesGiveOneMask) {
-    const test::Scene scene = soup(false, 400, 0.3, 3000);
+    const test::Scene scene = test::soup(kSeed, false, 400, 0.3, 3000);
     const auto compute = run(scene, {"stage=compute"}).visibility;
     if (test::passes().device().facts().subgroupSize > 8) GTEST_SKIP() << "no graphics pipelines at this width";
     EXPECT_EQ(run(scene, {"stage=fragment"}).visibility, compute);
@@ -113,7 +95,7 @@ TEST(RayQuery, TiesThatAreExactInFp32) {
 
 TEST(RayQuery, NoCasters) {
     for (const bool directional : {false, true}) {
-        const test::Scene scene = soup(directional, 0, 1, 100);
+        const test::Scene scene = test::soup(kSeed, directional, 0, 1, 100);
         const auto got = run(scene);
         EXPECT_EQ(got.visibility, std::vector<uint32_t>(100, GNO_VISIBILITY_LIT));
         EXPECT_EQ(number(got.counters.more, "candidates"), 0u);
@@ -123,7 +105,7 @@ TEST(RayQuery, NoCasters) {
 /// Small tetrahedra, closed, counter-clockwise from outside.
 test::Scene tetrahedra(bool directional, size_t count) {
     Random random(kSeed);
-    test::Scene scene = soup(directional, 0, 1, 3000);
+    test::Scene scene = test::soup(kSeed, directional, 0, 1, 3000);
     while (scene.triangles.size() < 4 * count) {
         const glm::dvec3 at = random.inCube(0.75);
         const auto corner = [&](double x, double y, double z) { return snap(at + 0.25 * glm::dvec3(x, y, z)); };
@@ -171,7 +153,7 @@ TEST(RayQuery, CulledCastersAreOut) {
 }
 
 TEST(RayQuery, AllCastersCulled) {
-    test::Scene scene = soup(false, 0, 1, 200);
+    test::Scene scene = test::soup(kSeed, false, 0, 1, 200);
     scene.light = {0, 0.5f, 0, 1};
     for (int i = -8; i < 8; ++i)  // planes through the light: seen edge-on
         scene.triangles.push_back({{float(i) / 8, -0.5f, 0}, {float(i + 1) / 8, -0.75f, 0}, {float(i) / 8, 0.25f, 0}});
@@ -222,7 +204,7 @@ TEST(RayQuery, ADeviceWithoutItIsTold) {
 }
 
 TEST(RayQuery, PassesAndBytes) {
-    const test::Scene scene = soup(false, 400, 0.3, 3000);
+    const test::Scene scene = test::soup(kSeed, false, 400, 0.3, 3000);
     const auto result = run(scene);
     double build = 0, query = 0;
     for (const host::RecordPass& pass : result.passes) (host::isBuildPass(pass.name) ? build : query) += pass.ms;

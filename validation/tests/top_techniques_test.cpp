@@ -3,37 +3,19 @@
 // certified rung they are the oracle's.
 #include <gtest/gtest.h>
 
-#include "validation/support/device_test.hpp"
-#include "validation/support/exact_reference.hpp"
-#include "validation/tests/oracle_cases.hpp"
+#include "validation/tests/made_scenes.hpp"
 
 namespace gno {
 namespace {
 
 using host::Precision;
 using host::cases::HardCase;
-using host::cases::Random;
 using Strings = std::vector<std::string>;
 
 const Strings kTop{"psv", "d-psv", "d-stackless", "d-hybrid"};
 constexpr uint32_t kSeed = 1907;
 
 test::Scene sceneOf(const HardCase& hard) { return {hard.triangles, {}, hard.light, hard.samples, host::Cull::none}; }
-
-/// Casters of all sizes, samples anywhere and on no caster: no sign is near zero, so that fp32 decides like the definition.
-test::Scene soup(bool directional, size_t casters, double size, size_t samples) {
-    Random random(kSeed);
-    test::Scene scene;
-    scene.light = directional ? glm::vec4(0.375f, 1, 0.25f, 0) : glm::vec4(0.125f, 0.875f, -0.25f, 1);
-    while (scene.triangles.size() < casters) {
-        const glm::dvec3 at = random.inCube(1 - size);
-        const auto corner = [&] { return host::cases::snap(at + random.inCube(size)); };
-        const glm::vec3 a = corner(), b = corner(), c = corner();
-        scene.triangles.push_back({a, b, c});
-    }
-    while (scene.samples.size() < samples) scene.samples.push_back({host::cases::snap(random.inCube()), host::kNoCaster});
-    return scene;
-}
 
 /// Without counters, so that only the timed shaders run.
 std::vector<std::vector<uint32_t>> masks(const test::Scene& scene, const Strings& names, Precision precision, const std::vector<Strings>& settings) {
@@ -75,7 +57,7 @@ void expectOneMask(const test::Scene& scene, const Strings& names, const std::ve
 
 TEST(TopTechniques, OneMaskWhateverTheStack) {
     for (const bool directional : {false, true}) {
-        const test::Scene scene = soup(directional, 400, 0.4, 3000);
+        const test::Scene scene = test::soup(kSeed, directional, 400, 0.4, 3000);
         EXPECT_GT(test::run(scene, "d-psv", Precision::certified).counters.maxStack, 2u);  // the small stacks below do overflow
         expectOneMask(scene, {"psv", "d-psv", "d-hybrid"}, {{"stack=1"}, {"stack=2"}, {"stack=7"}, {"stack=48"}}, true);
         expectOneMask(scene, kTop, {{}}, true);
@@ -87,26 +69,13 @@ TEST(TopTechniques, FragmentStage) {
         // lavapipe 25.0 with LLVM 15 crashes when it compiles a graphics pipeline for width 16: there the compute stage stands alone.
         std::vector<std::vector<std::string>> stages{{"stage=compute"}};
         if (test::passes().device().facts().subgroupSize <= 8) stages.push_back({"stage=fragment"});
-        expectOneMask(soup(directional, 1500, 0.15, 3000), kTop, stages, true);
+        expectOneMask(test::soup(kSeed, directional, 1500, 0.15, 3000), kTop, stages, true);
     }
 }
 
 TEST(TopTechniques, InsertionOrderAndWorkGroup) {
-    expectOneMask(soup(false, 1500, 0.15, 3000), {"d-hybrid"}, {{"seed=0"}, {"seed=4294967295"}, {"group=1"}, {"group=100"}, {"group=256", "seed=9"}},
+    expectOneMask(test::soup(kSeed, false, 1500, 0.15, 3000), {"d-hybrid"}, {{"seed=0"}, {"seed=4294967295"}, {"group=1"}, {"group=100"}, {"group=256", "seed=9"}},
                   true);
-}
-
-/// A sample with an own caster lies strictly on the light's side of its plane (core/sample.glsl sees to it); behind it, a copy of the own caster
-/// would be another caster by the definition, and the tree need not hold both.
-void keepTheContract(test::Scene& scene) {
-    for (host::OracleSample& sample : scene.samples) {
-        if (sample.own == host::kNoCaster) continue;
-        const host::Triangle& t = scene.triangles[sample.own];
-        const auto a = exact::fixed(t.a), b = exact::fixed(t.b), c = exact::fixed(t.c), l = exact::fixed(glm::vec3(scene.light));
-        using exact::operator-;
-        const int front = scene.light.w != 0 ? exact::orient3d(a, b, c, l) : exact::sign(exact::det(b - a, c - a, l));
-        if (front == 0 || exact::orient3d(a, b, c, exact::fixed(sample.position)) != front) sample.own = host::kNoCaster;
-    }
 }
 
 // Samples on and next to planes, edges, vertices: only the definition knows, and the certified rung.
@@ -115,7 +84,7 @@ TEST(TopTechniques, HardCases) {
         if (!hard.isCaster.empty()) continue;
         SCOPED_TRACE(hard.name);
         test::Scene scene = sceneOf(hard);
-        keepTheContract(scene);
+        test::keepTheContract(scene);
         const host::OracleAnswer want = test::ask(scene);
         const std::vector<Strings> settings{{}};
         const auto got = masks(scene, kTop, Precision::certified, settings);
