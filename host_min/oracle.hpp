@@ -22,9 +22,9 @@ struct OracleSample {
 };
 
 struct OracleQuestion {
-    std::span<const Triangle> triangles;    ///< on the grid
-    std::span<const uint8_t> isCaster;      ///< one per triangle: 0 = left out by front-face culling; empty: all are casters
-    glm::vec4 light;                        ///< homogeneous, on the grid
+    std::span<const Triangle> triangles;  ///< on the grid
+    std::span<const uint8_t> isCaster;    ///< one per triangle: 0 = left out by front-face culling; empty: all are casters
+    glm::vec4 light;                      ///< homogeneous, on the grid
     std::span<const OracleSample> samples;
     std::span<const uint32_t> surfaceOf{};  ///< as in Frame; empty: all triangles are opaque, and nobody asks for sums
     std::span<const Surface> surfaces{};
@@ -35,12 +35,12 @@ struct OracleQuestion {
 inline constexpr uint32_t kNoLight = 1u << 20;  ///< GNO_TRANSMITTANCE_OPAQUE of glsl/core: nothing arrives
 
 struct OracleAnswer {
-    std::vector<uint8_t> inShadow;       ///< one per sample: 1 = in shadow by the definition, every caster taken for opaque
-    std::vector<glm::uvec3> sums;        ///< one per sample, if surfaces were given: sums of contributions (core/transmittance.glsl)
-    std::vector<uint32_t> caster;        ///< one per sample: a triangle that shadows it, or kNoCaster
-    uint64_t selfShadowed = 0;           ///< samples that only their own triangle would darken
-    uint64_t witnessDisagreements = 0;   ///< samples where Embree's fp32 answer differs
-    double seconds = 0;                  ///< wall time of the exact answers, hierarchy included
+    std::vector<uint8_t> inShadow;      ///< one per sample: 1 = in shadow by the definition, every caster taken for opaque
+    std::vector<glm::uvec3> sums;       ///< one per sample, if surfaces were given: sums of contributions (core/transmittance.glsl)
+    std::vector<uint32_t> caster;       ///< one per sample: a triangle that shadows it, or kNoCaster
+    uint64_t selfShadowed = 0;          ///< samples that only their own triangle would darken
+    uint64_t witnessDisagreements = 0;  ///< samples where Embree's fp32 answer differs
+    double seconds = 0;                 ///< wall time of the exact answers, hierarchy included
     double witnessSeconds = 0;
 };
 

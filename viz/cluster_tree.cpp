@@ -63,7 +63,8 @@ void setBounds(ClusterNode& node, const Bounds& bounds, const GnoClusterLayout& 
 
 ClusterTree ClusterTree::read(const Dump& dump) {
     if (!dump.has("masks_built") || !dump.has("frame"))
-        throw InputError(fmt::format("{}: technique {} has no cluster hierarchy; make the dump with ptsv or ptsv-2011", dump.name(), dump.technique()));
+        throw InputError(
+            fmt::format("{}: technique {} has no cluster hierarchy; make the dump with ptsv or ptsv-2011", dump.name(), dump.technique()));
     struct Head {
         GnoClusterFrame frame;
         GnoClusterLayout layout;
@@ -86,7 +87,9 @@ ClusterTree ClusterTree::read(const Dump& dump) {
         next.clear();
         for (const uint32_t parent : parents) {
             const uint32_t word = gnoClusterWord(tree.layout, level - 1, parent);
-            if (built[word] == 0 && level > 1) throw InputError(fmt::format("{}: the hierarchy is broken: node {} of level {} is occupied but empty", dump.name(), parent, level - 1));
+            if (built[word] == 0 && level > 1)
+                throw InputError(
+                    fmt::format("{}: the hierarchy is broken: node {} of level {} is occupied but empty", dump.name(), parent, level - 1));
             if ((left[word] & ~built[word]) != 0) throw InputError(fmt::format("{}: the traversal left a node that was not there", dump.name()));
             for (uint32_t bits = built[word]; bits != 0; bits &= bits - 1) {
                 const uint32_t child = uint32_t(std::countr_zero(bits));
@@ -104,16 +107,19 @@ ClusterTree ClusterTree::read(const Dump& dump) {
 
 std::array<glm::dvec3, 8> ClusterTree::cellOf(const ClusterNode& node) const {
     const uint32_t shift = 5 * (layout.levels - node.level), first = node.key << shift, last = first | ((1u << shift) - 1);
-    const glm::uvec2 from(extract(first, layout.maskX), extract(first, layout.maskY)), to(extract(last, layout.maskX) + 1, extract(last, layout.maskY) + 1);
+    const glm::uvec2 from(extract(first, layout.maskX), extract(first, layout.maskY)),
+        to(extract(last, layout.maskX) + 1, extract(last, layout.maskY) + 1);
     glm::dvec2 depth(node.low.z, node.high.z);  // flat
     if (layout.form != GNO_CLUSTER_FLAT) depth = {slices[extract(first, layout.maskZ)], slices[extract(last, layout.maskZ) + 1]};
     const double tileHeight = gnoClusterTileHeight(layout);
     std::array<glm::dvec3, 8> corners;
     for (size_t i = 0; i < 8; ++i) {
-        const glm::dvec2 pixel(std::min<double>(frame.size.x, (i & 1 ? to.x : from.x) * double(GNO_CLUSTER_TILE)), std::min<double>(frame.size.y, (i & 2 ? to.y : from.y) * tileHeight));
+        const glm::dvec2 pixel(std::min<double>(frame.size.x, (i & 1 ? to.x : from.x) * double(GNO_CLUSTER_TILE)),
+                               std::min<double>(frame.size.y, (i & 2 ? to.y : from.y) * tileHeight));
         const glm::dvec2 slope = (2.0 * pixel / glm::dvec2(frame.size) - 1.0) * glm::dvec2(frame.right.w, frame.down.w);
         const double away = i & 4 ? depth.y : depth.x, spread = frame.origin.w != 0 ? away : 1;
-        corners[i] = glm::dvec3(frame.origin) + glm::dvec3(frame.forward) * away + spread * (slope.x * glm::dvec3(frame.right) + slope.y * glm::dvec3(frame.down));
+        corners[i] = glm::dvec3(frame.origin) + glm::dvec3(frame.forward) * away +
+                     spread * (slope.x * glm::dvec3(frame.right) + slope.y * glm::dvec3(frame.down));
     }
     return corners;
 }

@@ -23,9 +23,9 @@ struct ClusterNode {
 struct ClusterTree {
     GnoClusterFrame frame{};
     GnoClusterLayout layout{};
-    std::vector<ClusterNode> nodes;     ///< occupied ones, by level
-    std::vector<float> slices;          ///< where each depth slice begins, and the end; grid units
-    std::vector<size_t> occupied;       ///< nodes by level, [0] is 0
+    std::vector<ClusterNode> nodes;  ///< occupied ones, by level
+    std::vector<float> slices;       ///< where each depth slice begins, and the end; grid units
+    std::vector<size_t> occupied;    ///< nodes by level, [0] is 0
     std::vector<size_t> accepted;
 
     /// Throws InputError: the dump is no cluster hierarchy's, or a child has no parent.

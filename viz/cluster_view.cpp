@@ -27,14 +27,16 @@ enum class Shape { cell, box };
 std::array<glm::dvec3, 8> cornersOfNode(const ClusterTree& tree, const ClusterNode& node, Shape shape) {
     if (shape == Shape::cell) return tree.cellOf(node);
     std::array<glm::dvec3, 8> corners;
-    for (size_t i = 0; i < 8; ++i) corners[i] = {i & 1 ? node.high.x : node.low.x, i & 2 ? node.high.y : node.low.y, i & 4 ? node.high.z : node.low.z};
+    for (size_t i = 0; i < 8; ++i)
+        corners[i] = {i & 1 ? node.high.x : node.low.x, i & 2 ? node.high.y : node.low.y, i & 4 ? node.high.z : node.low.z};
     return corners;
 }
 
 /// From the viewer's eye (orthographic: its plane) to the node's nearest corner, along the viewing direction, metres.
 float distanceOf(const Dump& dump, const ClusterTree& tree, const ClusterNode& node) {
     double least = 1e30;
-    for (const glm::dvec3& corner : tree.cellOf(node)) least = std::min(least, glm::dot(corner - glm::dvec3(tree.frame.origin), glm::dvec3(tree.frame.forward)));
+    for (const glm::dvec3& corner : tree.cellOf(node))
+        least = std::min(least, glm::dot(corner - glm::dvec3(tree.frame.origin), glm::dvec3(tree.frame.forward)));
     return float(least * dump.metres());
 }
 
@@ -89,7 +91,8 @@ vtkSmartPointer<vtkImageData> pixelImage(const Dump& dump) {
     for (const auto& [name, unit] : {std::pair("sample_tests", "tests"), std::pair("visibility", "")}) {
         const auto values = dump.readPerPixel<uint32_t>(name);
         std::vector<uint32_t> upwards;  // VTK's rows go up
-        for (uint32_t y = dump.height(); y-- > 0;) upwards.insert(upwards.end(), values.begin() + ptrdiff_t(y) * dump.width(), values.begin() + ptrdiff_t(y + 1) * dump.width());
+        for (uint32_t y = dump.height(); y-- > 0;)
+            upwards.insert(upwards.end(), values.begin() + ptrdiff_t(y) * dump.width(), values.begin() + ptrdiff_t(y + 1) * dump.width());
         image->GetPointData()->AddArray(array(name, unit, std::span<const uint32_t>(upwards)));
     }
     image->GetPointData()->SetActiveScalars("sample_tests");
@@ -101,7 +104,8 @@ void writeHeatMap(const Options& options, const Dump& dump) {
     std::vector<uint8_t> isSample;
     for (const glm::uvec4& sample : dump.readPerPixel<glm::uvec4>("samples")) isSample.push_back(sample.w <= GNO_NO_CASTER);
     host::writePng(options.out / (dump.name() + "-clusters-tests.png"),
-                   host::heatMap({dump.width(), dump.height(), dump.readPerPixel<uint32_t>("sample_tests")}, isSample, {dump.title() + ": tests of a sample", "tests", {}}));
+                   host::heatMap({dump.width(), dump.height(), dump.readPerPixel<uint32_t>("sample_tests")}, isSample,
+                                 {dump.title() + ": tests of a sample", "tests", {}}));
 }
 
 /// What one level's panels show.
@@ -126,7 +130,8 @@ Level levelOf(const Dump& dump, const ClusterTree& tree, uint32_t number, size_t
     return level;
 }
 
-std::vector<vtkSmartPointer<vtkActor>> addLevel(Picture& picture, const Dump& dump, const ClusterTree& tree, const Level& level, const std::string& color, vtkLookupTable& table) {
+std::vector<vtkSmartPointer<vtkActor>> addLevel(Picture& picture, const Dump& dump, const ClusterTree& tree, const Level& level,
+                                                const std::string& color, vtkLookupTable& table) {
     std::vector<vtkSmartPointer<vtkActor>> actors;
     const std::string by = color == "distance" ? "distance" : "accepted";
     const MeshLook look{.opacity = 0.8, .edges = level.nodes.size() > 1000 ? 0.0 : 0.8};
@@ -143,7 +148,8 @@ vtkSmartPointer<vtkLookupTable> tableOf(const Dump& dump, const ClusterTree& tre
     return numberColours(tree.slices.front() * dump.metres(), tree.slices.back() * dump.metres());
 }
 
-void prepare(Picture& picture, const Dump& dump, const ClusterTree& tree, std::span<const Corners> corners, const Options& options, vtkLookupTable& table, int panels) {
+void prepare(Picture& picture, const Dump& dump, const ClusterTree& tree, std::span<const Corners> corners, const Options& options,
+             vtkLookupTable& table, int panels) {
     const double size = glm::length(dump.high() - dump.low()) * dump.metres();
     for (int i = 0; i < panels; ++i) {
         addScene(picture.panel(i), dump, corners, 0.3);
@@ -164,13 +170,14 @@ void viewClusters(const Options& options) {
     const Dump dump = Dump::load(options.dumps.front());
     const ClusterTree tree = ClusterTree::read(dump);
     if (tree.nodes.size() != dump.counter("occupied_nodes"))
-        throw host::InputError(fmt::format("{}: {} nodes are occupied, and the record counted {}: a part of the dump is damaged, or of another run", dump.name(),
-                                           tree.nodes.size(), dump.counter("occupied_nodes")));
+        throw host::InputError(fmt::format("{}: {} nodes are occupied, and the record counted {}: a part of the dump is damaged, or of another run",
+                                           dump.name(), tree.nodes.size(), dump.counter("occupied_nodes")));
     const std::vector<Corners> corners = cornersOf(dump);
     const auto table = tableOf(dump, tree, options.color);
     PictureSize size = options.size;
     size.columns = std::any_of(tree.nodes.begin(), tree.nodes.end(), [](const ClusterNode& node) { return node.boxed; }) ? 2 : 1;
-    const std::string title = "view-sample clusters: " + dump.title(), settings = "settings: " + dump.record().value("settings", nlohmann::json()).dump();
+    const std::string title = "view-sample clusters: " + dump.title(),
+                      settings = "settings: " + dump.record().value("settings", nlohmann::json()).dump();
 
     if (options.interactive) {
         Picture picture(size, title, true);

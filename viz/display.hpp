@@ -21,7 +21,8 @@ public:
 private:
     bool connect();
     void startServer();
-    void* connection_ = nullptr;  ///< Xlib's Display; kept open, because a server may reset, and refuse others for a moment, when its last client leaves
+    void* connection_ =
+        nullptr;  ///< Xlib's Display; kept open, because a server may reset, and refuse others for a moment, when its last client leaves
     pid_t server_ = -1;
 };
 

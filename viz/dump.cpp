@@ -20,7 +20,8 @@ static_assert(std::endian::native == std::endian::little, "buffers are read as t
 
 json parseIndex(const std::filesystem::path& path) {
     if (!path.filename().string().ends_with(kEnding))
-        throw InputError(fmt::format("{}: not the index of a dump; `gnomon shade SCENE --dump` writes files that end in {}", path.string(), kEnding));
+        throw InputError(
+            fmt::format("{}: not the index of a dump; `gnomon shade SCENE --dump` writes files that end in {}", path.string(), kEnding));
     std::ifstream file(path);
     if (!file) throw InputError(fmt::format("{}: cannot be opened", path.string()));
     return json::parse(file);
@@ -77,7 +78,8 @@ Dump Dump::load(const std::filesystem::path& path) {
             const uint64_t bytes = std::filesystem::file_size(buffer.file, error);
             if (error) throw InputError(fmt::format("buffer {} is missing", name.string()));
             if (buffer.words == 0 || buffer.words > 4096 || bytes % (4 * buffer.words) != 0 || bytes / (4 * buffer.words) != buffer.count)
-                throw InputError(fmt::format("buffer {} has {} bytes instead of {} records of {} words", name.string(), bytes, buffer.count, buffer.words));
+                throw InputError(
+                    fmt::format("buffer {} has {} bytes instead of {} records of {} words", name.string(), bytes, buffer.count, buffer.words));
             dump.buffers_[entry.at("name")] = buffer;
         }
     } catch (const json::exception& error) {
@@ -106,10 +108,11 @@ std::vector<char> Dump::readBytes(const std::string& name, size_t recordBytes, u
     if (at == buffers_.end()) throw InputError(fmt::format("{}: has no buffer {}", path_.string(), name));
     const Buffer& buffer = at->second;
     const uint64_t bytesHeld = 4 * buffer.words * buffer.count;
-    const bool isWhole = (buffer.words == 1 || 4 * buffer.words == recordBytes) && bytesHeld % recordBytes == 0;  // an array of words may be one of records
+    const bool isWhole =
+        (buffer.words == 1 || 4 * buffer.words == recordBytes) && bytesHeld % recordBytes == 0;  // an array of words may be one of records
     if (!(mayBeLonger ? bytesHeld >= recordBytes : isWhole) || (count > 0 && bytesHeld / recordBytes != count))
-        throw InputError(fmt::format("{}: buffer {} holds {} records of {} words; {} of {} are wanted", path_.string(), name, buffer.count, buffer.words,
-                                     count > 0 ? std::to_string(count) : "any number", recordBytes / 4));
+        throw InputError(fmt::format("{}: buffer {} holds {} records of {} words; {} of {} are wanted", path_.string(), name, buffer.count,
+                                     buffer.words, count > 0 ? std::to_string(count) : "any number", recordBytes / 4));
     std::vector<char> bytes(bytesHeld);
     std::ifstream file(buffer.file, std::ios::binary);
     if (!file.read(bytes.data(), std::streamsize(bytes.size()))) throw InputError(fmt::format("{}: cannot be read", buffer.file.string()));

@@ -23,8 +23,8 @@ struct DumpCamera {
 
 class Dump {
 public:
-    /// Reads SCENE-lN-fNNN-TECHNIQUE.PRECISION-dump.json; the buffers beside it are opened, and their sizes checked. Throws InputError: not such a file, a
-    /// buffer that is missing, truncated, or not as long as its count says, a value that makes no sense.
+    /// Reads SCENE-lN-fNNN-TECHNIQUE.PRECISION-dump.json; the buffers beside it are opened, and their sizes checked. Throws InputError: not such a
+    /// file, a buffer that is missing, truncated, or not as long as its count says, a value that makes no sense.
     static Dump load(const std::filesystem::path& index);
 
     [[nodiscard]] const std::string& name() const { return name_; }  ///< of the index without "-dump.json"; what is made from it is called after it

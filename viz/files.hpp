@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// VTK XML files that open in ParaView. Arrays have names, and units where they have one (vtkDataArray::UNITS_LABEL, which the file keeps). Files are complete or not
-// there.
+// VTK XML files that open in ParaView. Arrays have names, and units where they have one (vtkDataArray::UNITS_LABEL, which the file keeps). Files are
+// complete or not there.
 #pragma once
 #include <filesystem>
 #include <span>

@@ -16,16 +16,19 @@ using host::InputError;
 
 GnoForestGrid gridOf(const Dump& dump) {
     const GnoForestGrid grid = dump.readOne<GnoForestGrid>("grid");
-    const bool isFinite = std::isfinite(glm::dot(grid.across, grid.along)) && grid.stepAcross > 0 && grid.stepAlong > 0 && std::isfinite(grid.stepAcross * grid.stepAlong);
+    const bool isFinite = std::isfinite(glm::dot(grid.across, grid.along)) && grid.stepAcross > 0 && grid.stepAlong > 0 &&
+                          std::isfinite(grid.stepAcross * grid.stepAlong);
     if (!std::has_single_bit(grid.resolution) || grid.resolution > 1024 || grid.faces != (dump.light().w != 0 ? 6u : 1u) || !isFinite)
-        throw InputError(fmt::format("{}: its grid of {} faces with {} cells along an edge is none of a forest", dump.name(), grid.faces, grid.resolution));
+        throw InputError(
+            fmt::format("{}: its grid of {} faces with {} cells along an edge is none of a forest", dump.name(), grid.faces, grid.resolution));
     return grid;
 }
 
 /// Which blocks of the pool are whose.
 void addPairs(const Dump& dump, const std::vector<GnoForestCell>& stored, uint32_t pairs, Forest& forest) {
     const auto pool = dump.read<GnoForestPair>("pairs");
-    if (pairs > pool.size()) throw InputError(fmt::format("{}: the forest is not complete: {} pairs, and the pool holds {}", dump.name(), pairs, pool.size()));
+    if (pairs > pool.size())
+        throw InputError(fmt::format("{}: the forest is not complete: {} pairs, and the pool holds {}", dump.name(), pairs, pool.size()));
     for (uint32_t block = 0; block < pairs; ++block) {
         const GnoForestPair& pair = pool[block];
         if (pair.cell >= forest.cells.size() || pair.caster >= dump.casterCount())
@@ -33,14 +36,16 @@ void addPairs(const Dump& dump, const std::vector<GnoForestCell>& stored, uint32
         ForestCell& cell = forest.cells[pair.cell];
         forest.used += cell.casters == 0;
         if (cell.casters++ == 0) cell.first = block;
-        if (block - cell.first + 1 != cell.casters) throw InputError(fmt::format("{}: the pool is broken: the blocks of cell {} are not beside each other", dump.name(), pair.cell));
+        if (block - cell.first + 1 != cell.casters)
+            throw InputError(fmt::format("{}: the pool is broken: the blocks of cell {} are not beside each other", dump.name(), pair.cell));
         forest.casterOfBlock.push_back(pair.caster);
     }
     for (uint32_t i = 0; i < stored.size(); ++i) {
         ForestCell& cell = forest.cells[i];
         cell.root = stored[i].root;
         if (stored[i].pairs != (cell.casters > 0 ? cell.first + cell.casters : 0) || (cell.root != GNO_FOREST_NONE && cell.casters == 0))
-            throw InputError(fmt::format("{}: the pool is broken: cell {} has {} blocks of it from {}, and says otherwise", dump.name(), i, cell.casters, cell.first));
+            throw InputError(fmt::format("{}: the pool is broken: cell {} has {} blocks of it from {}, and says otherwise", dump.name(), i,
+                                         cell.casters, cell.first));
     }
 }
 
@@ -72,7 +77,8 @@ void addSamples(const Dump& dump, Forest& forest) {
     for (size_t i = 0; i < samples.size(); ++i) {
         if (samples[i].own > GNO_NO_CASTER) continue;
         ForestCell& cell = forest.cells[forest.cellAt(samples[i].position)];
-        if (visited[i] > 0 && cell.casters == 0) throw InputError(fmt::format("{}: pixel {} visited nodes, and its cell keeps no casters", dump.name(), i));
+        if (visited[i] > 0 && cell.casters == 0)
+            throw InputError(fmt::format("{}: pixel {} visited nodes, and its cell keeps no casters", dump.name(), i));
         ++cell.samples;
         cell.visits += visited[i];
         cell.mostVisits = std::max(cell.mostVisits, visited[i]);
@@ -84,7 +90,8 @@ void addSamples(const Dump& dump, Forest& forest) {
 }  // namespace
 
 Forest Forest::read(const Dump& dump) {
-    if (!dump.has("forest_header") || !dump.has("cells")) throw InputError(fmt::format("{}: technique {} has no forest; make the dump with forest", dump.name(), dump.technique()));
+    if (!dump.has("forest_header") || !dump.has("cells"))
+        throw InputError(fmt::format("{}: technique {} has no forest; make the dump with forest", dump.name(), dump.technique()));
     Forest forest;
     forest.grid = gridOf(dump);
     forest.light = dump.light();
@@ -93,13 +100,17 @@ Forest Forest::read(const Dump& dump) {
     const auto header = dump.readOne<GnoForestHeader>("forest_header");
     addPairs(dump, stored, header.pairs, forest);
     forest.links = dump.read<GnoTopLink>("links");
-    if (forest.links.size() < 4 * forest.casterOfBlock.size()) throw InputError(fmt::format("{}: the pool is broken: it has {} nodes", dump.name(), forest.links.size()));
+    if (forest.links.size() < 4 * forest.casterOfBlock.size())
+        throw InputError(fmt::format("{}: the pool is broken: it has {} nodes", dump.name(), forest.links.size()));
     addTrees(dump, forest);
     addSamples(dump, forest);
-    for (const auto& [name, found] : {std::pair("pairs", uint64_t(forest.casterOfBlock.size())), std::pair("used_cells", forest.used), std::pair("visited_nodes", forest.visits)})
+    for (const auto& [name, found] : {std::pair("pairs", uint64_t(forest.casterOfBlock.size())), std::pair("used_cells", forest.used),
+                                      std::pair("visited_nodes", forest.visits)})
         if (found != dump.counter(name))
-            throw InputError(fmt::format("{}: {} add up to {}, and the record counted {}: a part of the dump is damaged, or of another run", dump.name(), name, found, dump.counter(name)));
-    if (header.used != forest.used) throw InputError(fmt::format("{}: {} cells keep casters, and the header says {}", dump.name(), forest.used, header.used));
+            throw InputError(fmt::format("{}: {} add up to {}, and the record counted {}: a part of the dump is damaged, or of another run",
+                                         dump.name(), name, found, dump.counter(name)));
+    if (header.used != forest.used)
+        throw InputError(fmt::format("{}: {} cells keep casters, and the header says {}", dump.name(), forest.used, header.used));
     return forest;
 }
 
@@ -114,11 +125,14 @@ std::vector<Volume> Forest::treeOf(const Dump& dump, uint32_t cell) const {
 }
 
 uint32_t Forest::fullestCell() const {
-    return uint32_t(std::max_element(cells.begin(), cells.end(), [](const ForestCell& a, const ForestCell& b) { return a.casters < b.casters; }) - cells.begin());
+    return uint32_t(std::max_element(cells.begin(), cells.end(), [](const ForestCell& a, const ForestCell& b) { return a.casters < b.casters; }) -
+                    cells.begin());
 }
 
 uint32_t Forest::dearestCell() const {
-    return uint32_t(std::max_element(cells.begin(), cells.end(), [](const ForestCell& a, const ForestCell& b) { return a.visitsPerSample() < b.visitsPerSample(); }) - cells.begin());
+    return uint32_t(std::max_element(cells.begin(), cells.end(),
+                                     [](const ForestCell& a, const ForestCell& b) { return a.visitsPerSample() < b.visitsPerSample(); }) -
+                    cells.begin());
 }
 
 // The steps of gnoCellOf in glsl/forest/cells.glsl, in fp32: a sample within rounding of a border must be found where the device found it.
@@ -142,9 +156,7 @@ uint32_t Forest::cellAt(glm::vec3 p) const {
     return (face * grid.resolution + row) * grid.resolution + column;
 }
 
-glm::dvec3 Forest::axisOf(uint32_t face) const {
-    return light.w != 0 ? direction(face, glm::dvec2(0)) : -glm::normalize(glm::dvec3(light));
-}
+glm::dvec3 Forest::axisOf(uint32_t face) const { return light.w != 0 ? direction(face, glm::dvec2(0)) : -glm::normalize(glm::dvec3(light)); }
 
 double Forest::depthOf(uint32_t face, glm::dvec3 p) const { return glm::dot(axisOf(face), p - glm::dvec3(light) * double(light.w)); }
 
@@ -155,7 +167,9 @@ glm::dvec2 Forest::cornerOf(uint32_t cell, uint32_t corner) const {
 
 glm::dvec3 Forest::direction(uint32_t face, glm::dvec2 place) const {
     const double forwards = face % 2 == 0 ? 1 : -1;
-    return face < 2 ? glm::dvec3(forwards, place.x, place.y) : face < 4 ? glm::dvec3(place.y, forwards, place.x) : glm::dvec3(place.x, place.y, forwards);
+    return face < 2   ? glm::dvec3(forwards, place.x, place.y)
+           : face < 4 ? glm::dvec3(place.y, forwards, place.x)
+                      : glm::dvec3(place.x, place.y, forwards);
 }
 
 std::array<CellEdge, 4> Forest::edgesOf(uint32_t cell) const {
@@ -192,7 +206,8 @@ std::string faceName(const Forest& forest, uint32_t face) {
 
 std::string cellName(const Forest& forest, uint32_t cell) {
     const std::string place = fmt::format("column {}, row {}", forest.columnOf(cell), forest.rowOf(cell));
-    return forest.grid.faces == 1 ? fmt::format("cell {} ({})", cell, place) : fmt::format("cell {} (face {}, {})", cell, faceName(forest, forest.faceOf(cell)), place);
+    return forest.grid.faces == 1 ? fmt::format("cell {} ({})", cell, place)
+                                  : fmt::format("cell {} (face {}, {})", cell, faceName(forest, forest.faceOf(cell)), place);
 }
 
 }  // namespace gno::viz

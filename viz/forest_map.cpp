@@ -47,7 +47,8 @@ struct Area {
 
 Area areaOf(const Dump& dump, const Forest& forest, uint32_t face) {
     const uint32_t count = forest.grid.resolution * forest.grid.resolution;
-    const glm::dvec2 a = onMap(dump, forest, face, forest.cornerOf(face * count, 0)), b = onMap(dump, forest, face, forest.cornerOf((face + 1) * count - 1, 2));
+    const glm::dvec2 a = onMap(dump, forest, face, forest.cornerOf(face * count, 0)),
+                     b = onMap(dump, forest, face, forest.cornerOf((face + 1) * count - 1, 2));
     return {glm::min(a, b), glm::max(a, b)};
 }
 
@@ -75,8 +76,9 @@ vtkSmartPointer<vtkPolyData> cellsWhere(const Dump& dump, const Forest& forest, 
     const auto mesh = vtkSmartPointer<vtkPolyData>::New();
     mesh->SetPoints(points);
     mesh->SetPolys(quads);
-    for (const auto& [name, unit, values] : {std::tuple("casters", "casters", &casters), std::tuple("volumes", "volumes", &volumes), std::tuple("deepest", "volumes above", &deepest),
-                                             std::tuple("samples", "samples", &samples), std::tuple("most_visits", "visits", &mostVisits)})
+    for (const auto& [name, unit, values] :
+         {std::tuple("casters", "casters", &casters), std::tuple("volumes", "volumes", &volumes), std::tuple("deepest", "volumes above", &deepest),
+          std::tuple("samples", "samples", &samples), std::tuple("most_visits", "visits", &mostVisits)})
         mesh->GetCellData()->AddArray(array(name, unit, std::span<const uint32_t>(*values)));
     mesh->GetCellData()->AddArray(array("visits_per_sample", "visits", std::span<const float>(visits)));
     return mesh;
@@ -98,7 +100,8 @@ void addOutline(vtkRenderer& panel, const Area& area) {
     vtkNew<vtkCellArray> lines;
     lines->InsertNextCell(5);
     for (int corner = 0; corner < 5; ++corner)
-        lines->InsertCellPoint(points->InsertNextPoint(corner == 1 || corner == 2 ? area.high.x : area.low.x, corner == 2 || corner == 3 ? area.high.y : area.low.y, 0));
+        lines->InsertCellPoint(points->InsertNextPoint(corner == 1 || corner == 2 ? area.high.x : area.low.x,
+                                                       corner == 2 || corner == 3 ? area.high.y : area.low.y, 0));
     vtkNew<vtkPolyData> outline;
     outline->SetPoints(points);
     outline->SetLines(lines);
@@ -148,15 +151,18 @@ void drawCells(Picture& picture, const Dump& dump, const Forest& forest, const s
     vtkRenderer& panel = picture.panel(0);
     panel.UseFXAAOff();  // it would round the cells' corners
     addMesh(panel, *cellsWhere(dump, forest, isColoured), {.lit = false}, byVisits ? "visits_per_sample" : "casters", table);
-    addMesh(panel, *cellsWhere(dump, forest, [&](const ForestCell& cell) { return !isColoured(cell) && cell.samples > 0; }), {.colour = kPale, .lit = false});
-    addMesh(panel, *cellsWhere(dump, forest, [&](const ForestCell& cell) { return !isColoured(cell) && cell.samples == 0; }), {.colour = kUnseen, .lit = false});
+    addMesh(panel, *cellsWhere(dump, forest, [&](const ForestCell& cell) { return !isColoured(cell) && cell.samples > 0; }),
+            {.colour = kPale, .lit = false});
+    addMesh(panel, *cellsWhere(dump, forest, [&](const ForestCell& cell) { return !isColoured(cell) && cell.samples == 0; }),
+            {.colour = kUnseen, .lit = false});
     picture.legend(0, *table, byVisits ? "visited nodes\nof a sample, mean" : "casters\nof the cell");
     Area all = areaOf(dump, forest, 0);
     for (uint32_t face = 0; face < forest.grid.faces; ++face) {
         const Area area = areaOf(dump, forest, face);
         all = {glm::min(all.low, area.low), glm::max(all.high, area.high)};
         addOutline(panel, area);
-        addLabel(panel, fmt::format(" {}", faceName(forest, face)), {area.low.x, area.high.y - 0.015 * (area.high.y - area.low.y)}, picture.panel(0).GetVTKWindow()->GetSize()[1] / 45);
+        addLabel(panel, fmt::format(" {}", faceName(forest, face)), {area.low.x, area.high.y - 0.015 * (area.high.y - area.low.y)},
+                 picture.panel(0).GetVTKWindow()->GetSize()[1] / 45);
     }
     lookDown(panel, all);
 }

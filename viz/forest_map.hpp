@@ -8,7 +8,8 @@
 
 namespace gno::viz {
 
-/// One quadrangle a cell, in its order. Lengths: a face is 2 wide (a light at infinity: metres). Cell arrays: casters, volumes, deepest, samples, visits_per_sample, most_visits.
+/// One quadrangle a cell, in its order. Lengths: a face is 2 wide (a light at infinity: metres). Cell arrays: casters, volumes, deepest, samples,
+/// visits_per_sample, most_visits.
 vtkSmartPointer<vtkPolyData> cellMesh(const Dump& dump, const Forest& forest);
 
 /// `color`: casters, or visits (the mean over the view samples in a cell).

@@ -51,9 +51,11 @@ glm::dvec3 onEdge(const CellEdge& edge, double depth) { return edge.at + depth *
 }  // namespace
 
 CellTree CellTree::read(const Dump& dump, const Forest& forest, std::span<const Corners> corners, uint32_t cell) {
-    if (cell >= forest.cells.size()) throw host::InputError(fmt::format("--cell {}: {} has {} cells (0..{})", cell, dump.name(), forest.cells.size(), forest.cells.size() - 1));
+    if (cell >= forest.cells.size())
+        throw host::InputError(fmt::format("--cell {}: {} has {} cells (0..{})", cell, dump.name(), forest.cells.size(), forest.cells.size() - 1));
     if (forest.cells[cell].casters == 0)
-        throw host::InputError(fmt::format("--cell {}: it keeps no casters; cell {} keeps most of them, {}", cell, forest.fullestCell(), forest.cells[forest.fullestCell()].casters));
+        throw host::InputError(fmt::format("--cell {}: it keeps no casters; cell {} keeps most of them, {}", cell, forest.fullestCell(),
+                                           forest.cells[forest.fullestCell()].casters));
     CellTree tree;
     tree.cell = cell;
     tree.volumes = forest.treeOf(dump, cell);
@@ -62,7 +64,8 @@ CellTree CellTree::read(const Dump& dump, const Forest& forest, std::span<const 
     const Box scene = boxOf(dump);
     double least = 1e30, greatest = -1e30;
     for (int corner = 0; corner < 8; ++corner) {
-        const double depth = forest.depthOf(forest.faceOf(cell), {corner & 1 ? scene.high.x : scene.low.x, corner & 2 ? scene.high.y : scene.low.y, corner & 4 ? scene.high.z : scene.low.z});
+        const double depth = forest.depthOf(forest.faceOf(cell), {corner & 1 ? scene.high.x : scene.low.x, corner & 2 ? scene.high.y : scene.low.y,
+                                                                  corner & 4 ? scene.high.z : scene.low.z});
         least = std::min(least, depth);
         greatest = std::max(greatest, depth);
     }
@@ -86,9 +89,11 @@ CellTree CellTree::read(const Dump& dump, const Forest& forest, std::span<const 
 
 std::string CellTree::numbers(const Forest& forest) const {
     const ForestCell& own = forest.cells[cell];
-    return fmt::format("{} casters, {} of them in its tree ({} by the margins of the cell alone), depth {} at most; {} samples, {:.1f} visited nodes each, {} at most", grouped(own.casters),
-                       grouped(own.volumes), grouped(byMargins), own.deepest, grouped(own.samples), own.visitsPerSample(),
-                       grouped(own.mostVisits));
+    return fmt::format(
+        "{} casters, {} of them in its tree ({} by the margins of the cell alone), depth {} at most; {} samples, {:.1f} visited nodes each, {} at "
+        "most",
+        grouped(own.casters), grouped(own.volumes), grouped(byMargins), own.deepest, grouped(own.samples), own.visitsPerSample(),
+        grouped(own.mostVisits));
 }
 
 vtkSmartPointer<vtkPolyData> casterMesh(const Dump& dump, const CellTree& tree, std::span<const Corners> corners, size_t count) {

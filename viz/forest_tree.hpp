@@ -13,11 +13,12 @@ namespace gno::viz {
 
 struct CellTree {
     uint32_t cell = 0;
-    std::vector<Volume> volumes;      ///< by depth; `caster` and `parent` of the scene
-    std::vector<Polygon> parts;       ///< by volume: its caster inside the pyramid as it is drawn, on the grid; may be empty
-    size_t byMargins = 0;             ///< casters that lie outside the cell, and are kept by the margins of its test
-    double nearest = 0, farthest = 0; ///< depths (Forest::depthOf) between which the pyramid is drawn: to its farthest view sample, or out of the scene
-    Box box{};                        ///< of the parts and the pyramid's end
+    std::vector<Volume> volumes;  ///< by depth; `caster` and `parent` of the scene
+    std::vector<Polygon> parts;   ///< by volume: its caster inside the pyramid as it is drawn, on the grid; may be empty
+    size_t byMargins = 0;         ///< casters that lie outside the cell, and are kept by the margins of its test
+    double nearest = 0,
+           farthest = 0;  ///< depths (Forest::depthOf) between which the pyramid is drawn: to its farthest view sample, or out of the scene
+    Box box{};            ///< of the parts and the pyramid's end
 
     /// Throws InputError: there is no such cell, or it keeps no casters.
     static CellTree read(const Dump& dump, const Forest& forest, std::span<const Corners> corners, uint32_t cell);

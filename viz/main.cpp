@@ -17,11 +17,20 @@ int run(int argc, const char* const* argv) {
     const Display display;
     if (command.options.interactive && !display.isUsers()) throw gno::host::InputError("--interactive: there is no display that shows it");
     switch (command.kind) {
-        case Command::Kind::tree: viewTree(command.options); break;
-        case Command::Kind::clusters: viewClusters(command.options); break;
-        case Command::Kind::samples: viewSamples(command.options); break;
-        case Command::Kind::forest: viewForest(command.options); break;
-        case Command::Kind::none: break;
+        case Command::Kind::tree:
+            viewTree(command.options);
+            break;
+        case Command::Kind::clusters:
+            viewClusters(command.options);
+            break;
+        case Command::Kind::samples:
+            viewSamples(command.options);
+            break;
+        case Command::Kind::forest:
+            viewForest(command.options);
+            break;
+        case Command::Kind::none:
+            break;
     }
     return 0;
 }

@@ -71,25 +71,41 @@ Command parseCommandLine(int argc, const char* const* argv) {
         CLI::App* app = nullptr;
     };
     std::vector<Sub> subs{
-        {Command::Kind::tree, "tree", "the shadow volumes of a TOP tree, a query's way through it, and its statistics", "1000", "shadow volumes",
+        {Command::Kind::tree,
+         "tree",
+         "the shadow volumes of a TOP tree, a query's way through it, and its statistics",
+         "1000",
+         "shadow volumes",
          {"depth", "kind", "distance", "visits"}},
-        {Command::Kind::clusters, "clusters", "the occupied nodes of a cluster hierarchy by level, and the tests of each pixel", "20000", "boxes of a level", {"accepted", "distance"}},
+        {Command::Kind::clusters,
+         "clusters",
+         "the occupied nodes of a cluster hierarchy by level, and the tests of each pixel",
+         "20000",
+         "boxes of a level",
+         {"accepted", "distance"}},
         {Command::Kind::samples, "samples", "wrong samples with the caster and the plane that decided them", "2000", "samples", {"error", "plane"}},
-        {Command::Kind::forest, "forest", "the cells of a forest by casters and by visited nodes, and one cell's tree in the scene", "100000", "casters of the cell's tree",
+        {Command::Kind::forest,
+         "forest",
+         "the cells of a forest by casters and by visited nodes, and one cell's tree in the scene",
+         "100000",
+         "casters of the cell's tree",
          {"depth", "kind", "distance"}}};
     for (Sub& sub : subs) {
         sub.texts.limit = sub.limit;
         sub.texts.color = sub.colors.front();
         sub.app = app.add_subcommand(sub.name, sub.help);
         sub.app->add_option("DUMP", sub.texts.dumps, "SCENE-lN-fNNN-TECHNIQUE.PRECISION-dump.json")->required();
-        sub.app->add_option("--color", sub.texts.color, fmt::format("what colours tell: {}", CLI::detail::join(sub.colors, ", ")))->capture_default_str();
+        sub.app->add_option("--color", sub.texts.color, fmt::format("what colours tell: {}", CLI::detail::join(sub.colors, ", ")))
+            ->capture_default_str();
         sub.app->add_option("--view", sub.texts.view, "camera or overview")->capture_default_str();
         sub.app->add_option("--limit", sub.texts.limit, fmt::format("most {} that are drawn", sub.primitives))->capture_default_str();
         sub.app->add_option("--size", sub.texts.size, "WIDTHxHEIGHT of the pictures, in pixels")->capture_default_str();
         sub.app->add_option("--out", sub.texts.out, "folder for everything that is written")->capture_default_str();
-        if (sub.kind == Command::Kind::forest) sub.app->add_option("--cell", sub.texts.cell, "whose tree is drawn; without it, the one with most casters");
+        if (sub.kind == Command::Kind::forest)
+            sub.app->add_option("--cell", sub.texts.cell, "whose tree is drawn; without it, the one with most casters");
         sub.app->add_flag("--interactive", interactive, "show it, with a slider, instead of writing files");
-        sub.app->add_option("--close-after", sub.texts.closeAfter, "with --interactive: seconds until the window closes by itself, 0: never")->capture_default_str();
+        sub.app->add_option("--close-after", sub.texts.closeAfter, "with --interactive: seconds until the window closes by itself, 0: never")
+            ->capture_default_str();
     }
     try {
         app.parse(argc, argv);
@@ -108,7 +124,8 @@ Command parseCommandLine(int argc, const char* const* argv) {
         if (!*sub.app) continue;
         if (std::find(sub.colors.begin(), sub.colors.end(), sub.texts.color) == sub.colors.end())
             throw InputError(fmt::format("--color {}: {} knows {}", sub.texts.color, sub.name, CLI::detail::join(sub.colors, ", ")));
-        if (sub.texts.view != "camera" && sub.texts.view != "overview") throw InputError(fmt::format("--view {}: camera or overview", sub.texts.view));
+        if (sub.texts.view != "camera" && sub.texts.view != "overview")
+            throw InputError(fmt::format("--view {}: camera or overview", sub.texts.view));
         return {sub.kind, optionsOf(sub.texts, interactive)};
     }
     return {};

@@ -13,13 +13,13 @@ namespace gno::viz {
 struct Options {
     std::vector<std::filesystem::path> dumps;  ///< at least one index
     std::filesystem::path out = "out";
-    std::string color;                         ///< one of the command's
+    std::string color;  ///< one of the command's
     View view = View::overview;
-    uint32_t limit = 0;                        ///< most primitives that are drawn
-    std::optional<uint32_t> cell;              ///< forest: whose tree is drawn; none: the one with most casters
+    uint32_t limit = 0;            ///< most primitives that are drawn
+    std::optional<uint32_t> cell;  ///< forest: whose tree is drawn; none: the one with most casters
     PictureSize size;
     bool interactive = false;
-    double closeAfter = 0;                     ///< seconds; 0: the user closes the window
+    double closeAfter = 0;  ///< seconds; 0: the user closes the window
 };
 
 struct Command {

@@ -45,7 +45,8 @@ double distanceFor(const Dump& dump, const Box& box, glm::dvec3 back, glm::dvec3
     const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), back)), up = glm::cross(back, right);
     double distance = 0;
     for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 p = dump.world({corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y, corner & 4 ? box.high.z : box.low.z}) - at;
+        const glm::dvec3 p =
+            dump.world({corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y, corner & 4 ? box.high.z : box.low.z}) - at;
         const double across = std::max(std::abs(glm::dot(p, right)) / ((0.9 - legend) * aspect), std::abs(glm::dot(p, up)));
         distance = std::max(distance, across / slope + glm::dot(p, back));
     }
@@ -115,7 +116,8 @@ void Picture::legend(int index, vtkLookupTable& colours, const std::string& titl
     bar->SetTitle((title + "\n ").c_str());
     bar->SetUnconstrainedFontSize(true);
     const double* range = colours.GetTableRange();
-    const bool isLog = colours.GetScale() == VTK_SCALE_LOG10, whole = isLog ? range[0] >= 1 : range[0] == std::floor(range[0]) && range[1] == std::floor(range[1]);
+    const bool isLog = colours.GetScale() == VTK_SCALE_LOG10,
+               whole = isLog ? range[0] >= 1 : range[0] == std::floor(range[0]) && range[1] == std::floor(range[1]);
     const double span = range[1] - range[0];
     bar->SetNumberOfLabels(whole && span <= 12 ? int(span) + 1 : 6);
     if (isLog) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A window of panels that show one scene, with a title above and notes below: written as a PNG without being shown, or shown with a slider. Make a Display
-// (display.hpp) before the first one.
+// A window of panels that show one scene, with a title above and notes below: written as a PNG without being shown, or shown with a slider. Make a
+// Display (display.hpp) before the first one.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include <glm/glm.hpp>
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkLookupTable.h>
@@ -17,6 +16,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <glm/glm.hpp>
 
 #include "viz/colours.hpp"
 #include "viz/scene_mesh.hpp"
@@ -68,15 +68,16 @@ private:
 struct MeshLook {
     glm::dvec3 colour = kPale;
     double opacity = 1;
-    double edges = 0;         ///< line width of the cells' outlines; 0: none
-    bool outlines = false;    ///< of the cells, instead of the cells
+    double edges = 0;       ///< line width of the cells' outlines; 0: none
+    bool outlines = false;  ///< of the cells, instead of the cells
     bool lit = true;
     double lineWidth = 1, pointSize = 4;
 };
 
-/// Coloured by an array of this name (of points where they have one, else of cells) through a table; without a table it holds bytes: red, green, blue, opacity. `byArray`
-/// empty: the look's colour.
-vtkSmartPointer<vtkActor> addMesh(vtkRenderer& panel, vtkPolyData& mesh, const MeshLook& look, const std::string& byArray = {}, vtkLookupTable* colours = nullptr);
+/// Coloured by an array of this name (of points where they have one, else of cells) through a table; without a table it holds bytes: red, green,
+/// blue, opacity. `byArray` empty: the look's colour.
+vtkSmartPointer<vtkActor> addMesh(vtkRenderer& panel, vtkPolyData& mesh, const MeshLook& look, const std::string& byArray = {},
+                                  vtkLookupTable* colours = nullptr);
 
 /// The scene faint behind what matters, and its light as a yellow ball. `without` (ascending): casters that are drawn otherwise.
 void addScene(vtkRenderer& panel, const Dump& dump, std::span<const Corners> corners, double opacity, std::span<const uint32_t> without = {});

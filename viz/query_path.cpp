@@ -19,8 +19,13 @@ namespace gno::viz {
 using host::InputError;
 
 const std::vector<Kind>& stepKinds() {
-    static const std::vector<Kind> kinds{{"root", kDark},           {"negative (next plane)", kSky}, {"positive child", kBlue}, {"intersection child", kGreen},
-                                         {"from the stack", kOrange}, {"back by ancestor link", kVermilion}, {"again without a stack", kPurple}};
+    static const std::vector<Kind> kinds{{"root", kDark},
+                                         {"negative (next plane)", kSky},
+                                         {"positive child", kBlue},
+                                         {"intersection child", kGreen},
+                                         {"from the stack", kOrange},
+                                         {"back by ancestor link", kVermilion},
+                                         {"again without a stack", kPurple}};
     return kinds;
 }
 

@@ -2,8 +2,8 @@
 // The way of one sample's query through a TOP tree, as the device logged it (glsl/top/examples/trace.glsl).
 #pragma once
 #include <cstdint>
-#include <string>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "viz/colours.hpp"
@@ -36,7 +36,8 @@ struct QueryPath {
 /// Where a node is drawn, on the grid: a lateral plane at the middle of its edge, a cap at the caster's middle.
 glm::dvec3 placeOf(uint32_t node, std::span<const Corners> corners);
 
-/// The visited nodes in order as points joined by lines. Point arrays: order, node, caster, plane (0..2 lateral, 3 cap), step, depth. Line array: step.
+/// The visited nodes in order as points joined by lines. Point arrays: order, node, caster, plane (0..2 lateral, 3 cap), step, depth. Line array:
+/// step.
 vtkSmartPointer<vtkPolyData> pathMesh(const Dump& dump, const QueryPath& path, std::span<const Corners> corners);
 
 }  // namespace gno::viz

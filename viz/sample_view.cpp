@@ -52,7 +52,8 @@ vtkSmartPointer<vtkPolyData> pointMesh(const Dump& dump, const WrongSamples& wro
     return mesh;
 }
 
-/// From an edge of a caster away from the light, as far as the farthest sample that it decided; a caster's own plane is a triangle a quarter larger. Cell arrays: caster, plane, samples.
+/// From an edge of a caster away from the light, as far as the farthest sample that it decided; a caster's own plane is a triangle a quarter larger.
+/// Cell arrays: caster, plane, samples.
 vtkSmartPointer<vtkPolyData> planeMesh(const Dump& dump, const WrongSamples& wrong, std::span<const Corners> corners) {
     struct Use {
         double reach = -1e30;  ///< depth of the farthest sample, away from the light
@@ -109,15 +110,16 @@ std::vector<uint32_t> castersOf(const WrongSamples& wrong) {
 }
 
 std::string leftOut(const WrongSamples& wrong) {
-    const std::string all = fmt::format("{} of {} samples are wrong: {} leaks, {} false dark", grouped(wrong.wrong), grouped(wrong.checked), grouped(wrong.leaks),
-                                        grouped(wrong.wrong - wrong.leaks));
+    const std::string all = fmt::format("{} of {} samples are wrong: {} leaks, {} false dark", grouped(wrong.wrong), grouped(wrong.checked),
+                                        grouped(wrong.leaks), grouped(wrong.wrong - wrong.leaks));
     if (wrong.samples.size() == wrong.wrong) return all;
     return fmt::format("{}; drawing {} of them, leaks first (--limit)", all, grouped(wrong.samples.size()));
 }
 
 /// The wrong sample that lies farthest from the plane that decided it, with its neighbourhood.
 const WrongSample& worstOf(const WrongSamples& wrong) {
-    return *std::max_element(wrong.samples.begin(), wrong.samples.end(), [](const WrongSample& a, const WrongSample& b) { return std::abs(a.distance) < std::abs(b.distance); });
+    return *std::max_element(wrong.samples.begin(), wrong.samples.end(),
+                             [](const WrongSample& a, const WrongSample& b) { return std::abs(a.distance) < std::abs(b.distance); });
 }
 
 struct Meshes {
@@ -125,7 +127,8 @@ struct Meshes {
     std::vector<uint32_t> indices;  ///< of the casters
 };
 
-void draw(vtkRenderer& panel, const Dump& dump, const Meshes& meshes, std::span<const Corners> corners, const std::string& color, vtkLookupTable& table) {
+void draw(vtkRenderer& panel, const Dump& dump, const Meshes& meshes, std::span<const Corners> corners, const std::string& color,
+          vtkLookupTable& table) {
     addScene(panel, dump, corners, 0.3, meshes.indices);
     if (meshes.points->GetNumberOfPoints() == 0) return;
     addMesh(panel, *meshes.planes, {.colour = kYellow, .opacity = 0.3, .lit = false});
@@ -141,8 +144,10 @@ void viewSamples(const Options& options) {
     const std::vector<Corners> corners = cornersOf(dump);
     const WrongSamples wrong = wrongSamplesOf(dump, corners, options.limit);
     const std::vector<uint32_t> casters = castersOf(wrong);
-    const Meshes meshes{pointMesh(dump, wrong), planeMesh(dump, wrong, corners), casters.empty() ? vtkSmartPointer<vtkPolyData>::New() : meshOf(dump, corners, casters), casters};
-    static const std::vector<Kind> planeKinds{{"plane through edge ab", kVermilion}, {"through bc", kBlue}, {"through ca", kGreen}, {"the caster's own", kPurple}};
+    const Meshes meshes{pointMesh(dump, wrong), planeMesh(dump, wrong, corners),
+                        casters.empty() ? vtkSmartPointer<vtkPolyData>::New() : meshOf(dump, corners, casters), casters};
+    static const std::vector<Kind> planeKinds{
+        {"plane through edge ab", kVermilion}, {"through bc", kBlue}, {"through ca", kGreen}, {"the caster's own", kPurple}};
     const std::vector<Kind>& kinds = options.color == "plane" ? planeKinds : kErrorKinds;
     const auto table = kindColours(kinds);
     const std::string title = "wrong samples: " + dump.title();
@@ -160,7 +165,9 @@ void viewSamples(const Options& options) {
     picture.legend(0, kinds);
     picture.lookAt(dump, options.view, boxOf(dump));
     picture.note(leftOut(wrong));
-    picture.note("orange: the caster a sample turned on (a leak: one that shadows it; false dark: the one whose shadow volume is nearest); yellow: its plane nearest to the sample");
+    picture.note(
+        "orange: the caster a sample turned on (a leak: one that shadows it; false dark: the one whose shadow volume is nearest); yellow: its plane "
+        "nearest to the sample");
     const auto focus = [&](const WrongSample& sample, int panel) {
         const double radius = std::max(0.02 * glm::length(dump.high() - dump.low()), 1.5 * std::abs(sample.distance) / dump.metres());
         const glm::dvec3 at(sample.position);
@@ -182,8 +189,9 @@ void viewSamples(const Options& options) {
         const WrongSample& worst = worstOf(wrong);
         focus(worst, 1);
         picture.panelTitle(0, "all");
-        picture.panelTitle(1, fmt::format("pixel {}, {}: {}, {:.2g} m {} plane {} of caster {}", worst.pixel.x, worst.pixel.y, worst.isLeak ? "leak" : "false dark",
-                                          std::abs(worst.distance), worst.distance > 0 ? "outside" : "inside", worst.plane, worst.caster));
+        picture.panelTitle(
+            1, fmt::format("pixel {}, {}: {}, {:.2g} m {} plane {} of caster {}", worst.pixel.x, worst.pixel.y, worst.isLeak ? "leak" : "false dark",
+                           std::abs(worst.distance), worst.distance > 0 ? "outside" : "inside", worst.plane, worst.caster));
     }
     picture.note("settings: " + dump.record().value("settings", nlohmann::json()).dump());
     picture.writePng(options.out / (dump.name() + "-samples.png"));

@@ -4,12 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <span>
 #include <vector>
 
-#include <glm/glm.hpp>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <glm/glm.hpp>
 
 #include "viz/dump.hpp"
 

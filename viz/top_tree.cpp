@@ -20,7 +20,8 @@ std::vector<Volume> volumesOf(const Dump& dump, std::span<const GnoTopLink> link
         const uint32_t block = node / 4;
         const bool isOwn = block >= first && block < end;
         if (node % 4 != 0 || !isOwn || isIn[block - first])
-            throw InputError(fmt::format("{}: the tree is broken: a link leads to node {}{}", dump.name(), node, isOwn && isIn[block - first] ? " twice" : ""));
+            throw InputError(
+                fmt::format("{}: the tree is broken: a link leads to node {}{}", dump.name(), node, isOwn && isIn[block - first] ? " twice" : ""));
         isIn[block - first] = 1;
         Volume volume{block, parent, link, depth, planesAbove};
         volume.leastDistance = float((double(std::bit_cast<float>(links[node].aux)) - shift) * dump.metres());
@@ -31,7 +32,8 @@ std::vector<Volume> volumesOf(const Dump& dump, std::span<const GnoTopLink> link
         const Volume volume = volumes[i];
         for (uint32_t place = 0; place < 4; ++place) {
             const GnoTopLink& link = links[4 * size_t(volume.caster) + place];
-            add(link.positiveChild, volume.caster, place == 3 ? Link::capPositive : Link::lateralPositive, volume.depth + 1, volume.planesAbove + place + 1);
+            add(link.positiveChild, volume.caster, place == 3 ? Link::capPositive : Link::lateralPositive, volume.depth + 1,
+                volume.planesAbove + place + 1);
             add(link.intersectionChild, volume.caster, Link::intersection, volume.depth + 1, volume.planesAbove + place + 1);
         }
     }
@@ -40,9 +42,12 @@ std::vector<Volume> volumesOf(const Dump& dump, std::span<const GnoTopLink> link
 
 TopTree TopTree::read(const Dump& dump) {
     if (dump.has("forest_header"))
-        throw InputError(fmt::format("{}: technique {} has a TOP tree per cell of the light's grid, and no tree of all casters; use `gnomon-viz forest`", dump.name(), dump.technique()));
+        throw InputError(
+            fmt::format("{}: technique {} has a TOP tree per cell of the light's grid, and no tree of all casters; use `gnomon-viz forest`",
+                        dump.name(), dump.technique()));
     if (!dump.has("planes") || !dump.has("links"))
-        throw InputError(fmt::format("{}: technique {} has no TOP tree; make the dump with psv, d-psv, d-stackless or d-hybrid", dump.name(), dump.technique()));
+        throw InputError(
+            fmt::format("{}: technique {} has no TOP tree; make the dump with psv, d-psv, d-stackless or d-hybrid", dump.name(), dump.technique()));
     TopTree tree;
     tree.casters = dump.casterCount();
     tree.planes = dump.read<glm::vec4>("planes", 4 * tree.casters);

@@ -45,9 +45,10 @@ constexpr std::array kMarkers{Marker::diamond, Marker::circle, Marker::circle, M
 Figure statisticsFigure(const Dump& dump, const TreeStatistics& statistics) {
     Figure figure;
     figure.title = "TOP tree: " + dump.title();
-    figure.subtitle = fmt::format("{} of {} casters in the tree; links: {} to a positive child, {} to a positive child of a cap, {} ({:.1f} %) to an intersection child",
-                                  grouped(statistics.volumes), grouped(statistics.casters), grouped(statistics.lateralPositive), grouped(statistics.capPositive),
-                                  grouped(statistics.intersection), 100 * statistics.intersectionShare());
+    figure.subtitle = fmt::format(
+        "{} of {} casters in the tree; links: {} to a positive child, {} to a positive child of a cap, {} ({:.1f} %) to an intersection child",
+        grouped(statistics.volumes), grouped(statistics.casters), grouped(statistics.lateralPositive), grouped(statistics.capPositive),
+        grouped(statistics.intersection), 100 * statistics.intersectionShare());
     figure.columns = 2;
     figure.width = 1200;
     figure.height = 800;
@@ -56,18 +57,23 @@ Figure statisticsFigure(const Dump& dump, const TreeStatistics& statistics) {
                              axis("volumes above", -0.5, last),
                              axis("shadow volumes", 0.0),
                              {barsOfDepths(statistics.volumesAtDepth, kBlue)}});
-    figure.panels.push_back({fmt::format("where the queries go: {:.1f} visited nodes a sample", double(statistics.visits) / double(std::max<uint64_t>(1, statistics.samples))),
+    figure.panels.push_back({fmt::format("where the queries go: {:.1f} visited nodes a sample",
+                                         double(statistics.visits) / double(std::max<uint64_t>(1, statistics.samples))),
                              axis("volumes above", -0.5, last),
                              axis("visited nodes in the frame", 0.0),
                              {barsOfDepths(statistics.visitsAtDepth, kVermilion)}});
     const std::vector<double>& edges = statistics.wedges.edges;
-    figure.panels.push_back({fmt::format("how wide intersection children reach ({} of them without a bound)", grouped(statistics.wedgesWithoutBound)),
-                             axis(fmt::format("both sides of the plane together [{}]", statistics.wedges.unit), -0.5, double(edges.size()) - 1.5),
-                             axis("intersection children", 0.0),
-                             {barsOfDepths(statistics.wedges.counts, kGreen)}});
+    figure.panels.push_back(
+        {fmt::format("how wide intersection children reach ({} of them without a bound)", grouped(statistics.wedgesWithoutBound)),
+         axis(fmt::format("both sides of the plane together [{}]", statistics.wedges.unit), -0.5, double(edges.size()) - 1.5),
+         axis("intersection children", 0.0),
+         {barsOfDepths(statistics.wedges.counts, kGreen)}});
     for (size_t i = edges.size() - 1; i-- > 0;)
         if ((edges.size() - 2 - i) % 3 == 0) figure.panels.back().x.names.emplace_back(double(i), i == 0 ? "0" : fmt::format("{:.3g}+", edges[i]));
-    Panel visits{"how often a node is visited", axis("visits in the frame", -0.5, double(statistics.visitsOfNodes.counts.size()) - 0.5), axis("nodes", 0.0), {barsOfDepths(statistics.visitsOfNodes.counts, kPurple)}};
+    Panel visits{"how often a node is visited",
+                 axis("visits in the frame", -0.5, double(statistics.visitsOfNodes.counts.size()) - 0.5),
+                 axis("nodes", 0.0),
+                 {barsOfDepths(statistics.visitsOfNodes.counts, kPurple)}};
     const size_t bins = statistics.visitsOfNodes.counts.size(), every = std::max<size_t>(1, bins / 8);
     for (size_t i = 0; i < bins; ++i) {  // edges 0, 1, 2, 4, ...
         const double from = statistics.visitsOfNodes.edges[i];
@@ -93,8 +99,8 @@ Figure stepsFigure(const std::string& title, std::span<const QueryPath> paths) {
     const auto lookOf = [](size_t kind) { return Look{.color = bytesOf(stepKinds()[kind].colour), .marker = kMarkers[kind]}; };
     std::vector<bool> shown(stepKinds().size());
     for (const QueryPath& path : paths) {
-        Panel panel{fmt::format("{}: {} visited nodes, {} from the stack, {} back by ancestor link", path.technique, path.visits.size(), path.count(Step::pop),
-                                path.count(Step::ancestor)),
+        Panel panel{fmt::format("{}: {} visited nodes, {} from the stack, {} back by ancestor link", path.technique, path.visits.size(),
+                                path.count(Step::pop), path.count(Step::ancestor)),
                     axis("visit", 0.0, double(longest)),
                     axis("depth in the tree [nodes above]", -0.5, deepest + 1.0),
                     {}};

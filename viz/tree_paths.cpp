@@ -20,7 +20,8 @@ namespace {
 bool isJump(Step step) { return step == Step::pop || step == Step::ancestor || step == Step::restart; }
 
 /// Tubes along the lines of a path whose step is (or is not) a jump.
-vtkSmartPointer<vtkPolyData> tubesOf(const Dump& dump, const QueryPath& path, std::span<const Corners> corners, size_t steps, bool jumps, double radius) {
+vtkSmartPointer<vtkPolyData> tubesOf(const Dump& dump, const QueryPath& path, std::span<const Corners> corners, size_t steps, bool jumps,
+                                     double radius) {
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> lines;
     std::vector<uint32_t> order, step;
@@ -51,8 +52,8 @@ vtkSmartPointer<vtkPolyData> tubesOf(const Dump& dump, const QueryPath& path, st
 
 }  // namespace
 
-std::vector<vtkSmartPointer<vtkActor>> addPath(vtkRenderer& panel, const Dump& dump, const QueryPath& path, std::span<const Corners> corners, vtkLookupTable& colours,
-                                               size_t steps) {
+std::vector<vtkSmartPointer<vtkActor>> addPath(vtkRenderer& panel, const Dump& dump, const QueryPath& path, std::span<const Corners> corners,
+                                               vtkLookupTable& colours, size_t steps) {
     std::vector<uint32_t> casters, order;
     std::set<uint32_t> seen;
     for (size_t i = 0; i < steps; ++i)
@@ -93,8 +94,8 @@ void drawPaths(Picture& picture, const Dump& dump, std::span<const QueryPath> pa
         addScene(panel, dump, corners, 0.18);
         (void)addPath(panel, dump, paths[i], corners, *colours, paths[i].visits.size());
         addBall(panel, dump.world(glm::dvec3(paths[i].sample)), 0.008 * size, kVermilion);
-        picture.panelTitle(int(i), fmt::format("{}: {} visited nodes, {} from the stack, {} back by ancestor link", paths[i].technique, paths[i].visits.size(),
-                                               paths[i].count(Step::pop), paths[i].count(Step::ancestor)));
+        picture.panelTitle(int(i), fmt::format("{}: {} visited nodes, {} from the stack, {} back by ancestor link", paths[i].technique,
+                                               paths[i].visits.size(), paths[i].count(Step::pop), paths[i].count(Step::ancestor)));
         picture.legend(int(i), *colours, "visit");
     }
 }

@@ -15,7 +15,7 @@ void drawPaths(Picture& picture, const Dump& dump, std::span<const QueryPath> pa
 Box boxOf(std::span<const QueryPath> paths, std::span<const Corners> corners);
 
 /// The visits up to a step alone, of one path; returns the actors.
-std::vector<vtkSmartPointer<vtkActor>> addPath(vtkRenderer& panel, const Dump& dump, const QueryPath& path, std::span<const Corners> corners, vtkLookupTable& colours,
-                                               size_t steps);
+std::vector<vtkSmartPointer<vtkActor>> addPath(vtkRenderer& panel, const Dump& dump, const QueryPath& path, std::span<const Corners> corners,
+                                               vtkLookupTable& colours, size_t steps);
 
 }  // namespace gno::viz

@@ -9,11 +9,11 @@
 namespace gno::viz {
 namespace {
 
-constexpr int kWedgeBins = 18;  // each twice as wide as the one before
+constexpr int kWedgeBins = 18;         // each twice as wide as the one before
 constexpr double kSceneRadius = 1.75;  // GNO_SCENE_RADIUS of glsl/core/light.glsl
 
-/// How wide the intersection child's volumes reach on both sides of the plane, as the device bounds it (top/plane.glsl, gnoTopWedge): sines, or for a light at infinity
-/// distances over GNO_SCENE_RADIUS. Negative: no bound.
+/// How wide the intersection child's volumes reach on both sides of the plane, as the device bounds it (top/plane.glsl, gnoTopWedge): sines, or for
+/// a light at infinity distances over GNO_SCENE_RADIUS. Negative: no bound.
 std::array<double, 2> wedgeOf(uint32_t wedge, bool published) {
     const auto bound = [](uint32_t bits) {
         const double value = std::bit_cast<float>(bits);
@@ -42,7 +42,8 @@ void addWedges(const Dump& dump, const TopTree& tree, TreeStatistics& result) {
             if (!bounded)
                 ++result.wedgesWithoutBound;
             else
-                ++result.wedges.counts[size_t(std::clamp(kWedgeBins - 1 + int(std::floor(std::log2(std::max(width, 1e-30) / most))) + 1, 0, kWedgeBins - 1))];
+                ++result.wedges
+                      .counts[size_t(std::clamp(kWedgeBins - 1 + int(std::floor(std::log2(std::max(width, 1e-30) / most))) + 1, 0, kWedgeBins - 1))];
         }
 }
 
@@ -57,7 +58,9 @@ void addVisits(const TopTree& tree, TreeStatistics& result) {
         for (uint32_t place = 0; place < 4; ++place) ++result.visitsOfNodes.counts[size_t(std::bit_width(tree.visits[4 * volume.caster + place]))];
 }
 
-nlohmann::ordered_json jsonOf(const Histogram& histogram) { return {{"unit", histogram.unit}, {"edges", histogram.edges}, {"counts", histogram.counts}}; }
+nlohmann::ordered_json jsonOf(const Histogram& histogram) {
+    return {{"unit", histogram.unit}, {"edges", histogram.edges}, {"counts", histogram.counts}};
+}
 
 }  // namespace
 

@@ -25,8 +25,8 @@ struct TreeStatistics {
     double meanDepth = 0;
     uint32_t deepest = 0;
     std::vector<uint64_t> volumesAtDepth, visitsAtDepth;  ///< by volumes above
-    Histogram wedges;         ///< of intersection children; a light at a point: degrees; at infinity: metres
-    Histogram visitsOfNodes;  ///< powers of two
+    Histogram wedges;                                     ///< of intersection children; a light at a point: degrees; at infinity: metres
+    Histogram visitsOfNodes;                              ///< powers of two
 
     [[nodiscard]] double intersectionShare() const;  ///< of all links to volumes; 0 without any
     [[nodiscard]] nlohmann::ordered_json json() const;

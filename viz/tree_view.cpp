@@ -38,7 +38,8 @@ vtkSmartPointer<vtkPolyData> volumeMesh(const Dump& dump, const TopTree& tree, s
     std::vector<uint32_t> ids;
     for (uint32_t i = 0; i < count; ++i) {
         const size_t first = 4 * size_t(tree.volumes[i].caster);
-        for (const Polygon& face : clippedVolume(box, dump.light(), {tree.planes[first], tree.planes[first + 1], tree.planes[first + 2], tree.planes[first + 3]})) {
+        for (const Polygon& face :
+             clippedVolume(box, dump.light(), {tree.planes[first], tree.planes[first + 1], tree.planes[first + 2], tree.planes[first + 3]})) {
             cells->InsertNextCell(int(face.size()));
             for (const glm::dvec3& corner : face) {
                 const glm::dvec3 p = dump.world(corner);
@@ -85,17 +86,22 @@ std::string leftOut(const TopTree& tree, size_t drawn) {
 
 void addNotes(Picture& picture, const Dump& dump, const TopTree& tree, const TreeStatistics& statistics, size_t drawn) {
     picture.note(leftOut(tree, drawn));
-    picture.note(fmt::format("{} casters, {} of them in the tree; depth {:.1f} on average, {} at most; {:.1f} % of the links lead to an intersection child; {:.1f} visited nodes a sample",
-                             grouped(tree.casters), grouped(tree.volumes.size()), statistics.meanDepth, statistics.deepest, 100 * statistics.intersectionShare(),
-                             double(statistics.visits) / double(std::max<uint64_t>(1, statistics.samples))));
-    picture.note(fmt::format("settings: {}; clipped to the box of the casters, large ones more transparent; the yellow ball is the light", dump.record().value("settings", nlohmann::json()).dump()));
+    picture.note(
+        fmt::format("{} casters, {} of them in the tree; depth {:.1f} on average, {} at most; {:.1f} % of the links lead to an intersection child; "
+                    "{:.1f} visited nodes a sample",
+                    grouped(tree.casters), grouped(tree.volumes.size()), statistics.meanDepth, statistics.deepest,
+                    100 * statistics.intersectionShare(), double(statistics.visits) / double(std::max<uint64_t>(1, statistics.samples))));
+    picture.note(fmt::format("settings: {}; clipped to the box of the casters, large ones more transparent; the yellow ball is the light",
+                             dump.record().value("settings", nlohmann::json()).dump()));
 }
 
 /// The way of the traced query, visit by visit.
 void showPath(const Options& options, const Dump& dump, const TopTree& tree, std::span<const Corners> corners) {
     const QueryPath path = QueryPath::read(dump, tree);
     const std::array paths{path};
-    Picture picture(options.size, fmt::format("query of pixel {}, {} ({}): {}", path.pixel.x, path.pixel.y, path.inShadow ? "in shadow" : "lit", dump.title()), true);
+    Picture picture(options.size,
+                    fmt::format("query of pixel {}, {} ({}): {}", path.pixel.x, path.pixel.y, path.inShadow ? "in shadow" : "lit", dump.title()),
+                    true);
     addScene(picture.panel(0), dump, corners, 0.25);
     addBall(picture.panel(0), dump.world(glm::dvec3(path.sample)), 0.008 * glm::length(dump.high() - dump.low()) * dump.metres(), kVermilion);
     const int last = int(path.visits.size());
@@ -118,7 +124,8 @@ void show(const Options& options, const Dump& dump, const TopTree& tree, std::sp
     addScene(picture.panel(0), dump, corners, 0.25);
     vtkSmartPointer<vtkActor> volumes;
     const auto upTo = [&](int depth) {
-        const size_t count = size_t(std::partition_point(tree.volumes.begin(), tree.volumes.begin() + ptrdiff_t(drawn), [&](const Volume& v) { return int(v.depth) <= depth; }) -
+        const size_t count = size_t(std::partition_point(tree.volumes.begin(), tree.volumes.begin() + ptrdiff_t(drawn),
+                                                         [&](const Volume& v) { return int(v.depth) <= depth; }) -
                                     tree.volumes.begin());
         if (volumes) picture.panel(0).RemoveActor(volumes);
         const auto mesh = volumeMesh(dump, tree, count);
@@ -145,7 +152,8 @@ std::vector<QueryPath> pathsOf(std::span<const Dump> dumps, const TopTree& tree)
     for (const Dump& dump : dumps) {
         const TopTree own = TopTree::read(dump);
         if (dumps.size() > 1 && (own.root != tree.root || own.planes != tree.planes || dump.tracedPixel() != dumps.front().tracedPixel()))
-            throw host::InputError(fmt::format("{}: not the same tree, or not the same traced pixel, as {}; make the dumps in one run", dump.name(), dumps.front().name()));
+            throw host::InputError(fmt::format("{}: not the same tree, or not the same traced pixel, as {}; make the dumps in one run", dump.name(),
+                                               dumps.front().name()));
         paths.push_back(QueryPath::read(dump, own));
     }
     return paths;
@@ -154,13 +162,15 @@ std::vector<QueryPath> pathsOf(std::span<const Dump> dumps, const TopTree& tree)
 void writePaths(const Options& options, std::span<const Dump> dumps, std::span<const QueryPath> paths, std::span<const Corners> corners) {
     for (size_t i = 0; i < paths.size(); ++i) writeFile(options.out / (dumps[i].name() + "-tree-path.vtp"), *pathMesh(dumps[i], paths[i], corners));
     const Dump& dump = dumps.front();
-    const std::string title = fmt::format("queries of pixel {}, {} ({}): {}", paths[0].pixel.x, paths[0].pixel.y, paths[0].inShadow ? "in shadow" : "lit", dump.title());
+    const std::string title =
+        fmt::format("queries of pixel {}, {} ({}): {}", paths[0].pixel.x, paths[0].pixel.y, paths[0].inShadow ? "in shadow" : "lit", dump.title());
     PictureSize size = options.size;
     size.columns = paths.size() > 1 ? 2 : 1;
     size.rows = int(paths.size() + 1) / size.columns - (paths.size() == 1 ? 1 : 0);
     Picture picture(size, title);
     drawPaths(picture, dump, paths, corners);
-    picture.note("tubes: from node to node in the order of the visits; a lateral plane stands at the middle of its edge, a cap at the middle of its caster");
+    picture.note(
+        "tubes: from node to node in the order of the visits; a lateral plane stands at the middle of its edge, a cap at the middle of its caster");
     picture.note("orange: from the stack; vermilion: back by an ancestor link; vermilion ball: the sample; yellow ball: the light");
     picture.lookAt(dump, options.view, boxOf(paths, corners));
     picture.writePng(options.out / (dump.name() + "-tree-path.png"));
@@ -177,8 +187,9 @@ void viewTree(const Options& options) {
     const std::vector<Corners> corners = cornersOf(dump);
     const TreeStatistics statistics = statisticsOf(dump, tree);
     if (statistics.visits != dump.counter("visited_nodes"))
-        throw host::InputError(fmt::format("{}: the visits of the tree's nodes add up to {}, and the record counted {}: a part of the dump is damaged, or of another run",
-                                           dump.name(), statistics.visits, dump.counter("visited_nodes")));
+        throw host::InputError(fmt::format(
+            "{}: the visits of the tree's nodes add up to {}, and the record counted {}: a part of the dump is damaged, or of another run",
+            dump.name(), statistics.visits, dump.counter("visited_nodes")));
     const size_t drawn = std::min<size_t>(options.limit, tree.volumes.size());
     if (options.interactive) return show(options, dump, tree, corners, drawn);
 

@@ -20,7 +20,8 @@ const std::vector<Kind> kLinkKinds{{"root", kDark}, {"positive child", kBlue}, {
 Coloring coloringOf(const std::string& color, std::span<const Volume> drawn) {
     if (color == "kind") return {"link", "", kindColours(kLinkKinds)};
     const auto range = [&](auto value) {
-        const auto [least, most] = std::minmax_element(drawn.begin(), drawn.end(), [&](const Volume& a, const Volume& b) { return value(a) < value(b); });
+        const auto [least, most] =
+            std::minmax_element(drawn.begin(), drawn.end(), [&](const Volume& a, const Volume& b) { return value(a) < value(b); });
         return std::pair(double(value(*least)), double(value(*most)));
     };
     if (drawn.empty()) return {"depth", "volumes above", numberColours(0, 1)};

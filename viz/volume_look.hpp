@@ -23,7 +23,8 @@ void addLegend(Picture& picture, int panel, const std::string& color, const Colo
 
 /// One value per entry of `ids`, each a volume: caster, depth, nodes_above, link, least_distance; with `visits`: visits.
 void addVolumeArrays(vtkDataSetAttributes& target, std::span<const Volume> volumes, std::span<const uint32_t> ids, bool visits);
-/// Adds cell array "drawn": red, green, blue, opacity. Large casters (cell array "caster") are more transparent, so that they do not hide the small ones.
+/// Adds cell array "drawn": red, green, blue, opacity. Large casters (cell array "caster") are more transparent, so that they do not hide the small
+/// ones.
 void fade(vtkPolyData& mesh, const Dump& dump, std::span<const Corners> corners, const Coloring& coloring);
 inline constexpr const char* kLinksFact = "0 root, 1 positive child, 2 positive child of a cap, 3 intersection child";
 

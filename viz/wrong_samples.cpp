@@ -39,13 +39,15 @@ uint32_t decidingPlane(const std::array<double, 4>& sides) { return uint32_t(std
 }  // namespace
 
 WrongSamples wrongSamplesOf(const Dump& dump, std::span<const Corners> corners, size_t limit) {
-    if (!dump.has("oracle_shadow")) throw InputError(fmt::format("{}: holds no answers of the oracle; make it with `gnomon shade --check --dump`", dump.name()));
+    if (!dump.has("oracle_shadow"))
+        throw InputError(fmt::format("{}: holds no answers of the oracle; make it with `gnomon shade --check --dump`", dump.name()));
     struct Sample {
         glm::vec3 position;
         uint32_t own;
     };
     const auto samples = dump.readPerPixel<Sample>("samples");
-    const auto visibility = dump.readPerPixel<uint32_t>("visibility"), shadow = dump.readPerPixel<uint32_t>("oracle_shadow"), caster = dump.readPerPixel<uint32_t>("oracle_caster");
+    const auto visibility = dump.readPerPixel<uint32_t>("visibility"), shadow = dump.readPerPixel<uint32_t>("oracle_shadow"),
+               caster = dump.readPerPixel<uint32_t>("oracle_caster");
     WrongSamples result;
     std::vector<WrongSample> falseDark;
     for (uint32_t i = 0; i < samples.size(); ++i) {
@@ -54,14 +56,17 @@ WrongSamples wrongSamplesOf(const Dump& dump, std::span<const Corners> corners, 
         if ((visibility[i] == GNO_VISIBILITY_SHADOW) == (shadow[i] == 1)) continue;
         ++result.wrong;
         result.leaks += shadow[i] == 1;
-        if (shadow[i] == 1 && caster[i] >= corners.size()) throw InputError(fmt::format("{}: the oracle names caster {}, and there are {}", dump.name(), caster[i], corners.size()));
+        if (shadow[i] == 1 && caster[i] >= corners.size())
+            throw InputError(fmt::format("{}: the oracle names caster {}, and there are {}", dump.name(), caster[i], corners.size()));
         const WrongSample sample{{i % dump.width(), i / dump.width()}, samples[i].position, samples[i].own, shadow[i] == 1, caster[i]};
         (sample.isLeak ? result.samples : falseDark).push_back(sample);
     }
     const nlohmann::json check = dump.record().value("check", nlohmann::json::object());
     if (check.value("checked", uint64_t(0)) != result.checked || check.value("wrong", uint64_t(0)) != result.wrong)
-        throw InputError(fmt::format("{}: {} of {} samples differ from the oracle, but its record says {} of {}; a scene with casters that let light through needs --set materials=off",
-                                     dump.name(), result.wrong, result.checked, check.value("wrong", uint64_t(0)), check.value("checked", uint64_t(0))));
+        throw InputError(
+            fmt::format("{}: {} of {} samples differ from the oracle, but its record says {} of {}; a scene with casters that let light through "
+                        "needs --set materials=off",
+                        dump.name(), result.wrong, result.checked, check.value("wrong", uint64_t(0)), check.value("checked", uint64_t(0))));
     result.samples.insert(result.samples.end(), falseDark.begin(), falseDark.end());
     if (result.samples.size() > limit) result.samples.resize(limit);
     const glm::dvec4 light(dump.light());

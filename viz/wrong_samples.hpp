@@ -17,8 +17,8 @@ struct WrongSample {
     bool isLeak = false;    ///< lit, and should be in shadow; else the other way round
     /// A leak: a caster that shadows it, as the oracle says. False dark: of all casters the one whose shadow volume is nearest.
     uint32_t caster = 0;
-    uint32_t plane = 0;     ///< 0..2 lateral (ab, bc, ca), 3 the caster's own
-    double distance = 0;    ///< to that plane, metres; negative inside the volume
+    uint32_t plane = 0;   ///< 0..2 lateral (ab, bc, ca), 3 the caster's own
+    double distance = 0;  ///< to that plane, metres; negative inside the volume
 };
 
 struct WrongSamples {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // gnomon clusters/bindings.glsl : our buffers of a cluster hierarchy; leave it out and define the macros yourself where your storage differs.
 //
-// Defines    GNO_CLUSTER_FRAME, GNO_CLUSTER_LAYOUT, GNO_CLUSTER_HEADER, GNO_CLUSTER_SLICES, GNO_CLUSTER_MASKS, GNO_CLUSTER_SHADE, GNO_CLUSTER_LOW, GNO_CLUSTER_HIGH,
+// Defines    GNO_CLUSTER_FRAME, GNO_CLUSTER_LAYOUT, GNO_CLUSTER_HEADER, GNO_CLUSTER_SLICES, GNO_CLUSTER_MASKS, GNO_CLUSTER_SHADE, GNO_CLUSTER_LOW,
+//            GNO_CLUSTER_HIGH,
 //            GNO_CLUSTER_POINTERS, GNO_CLUSTER_VOLUMES, GNO_CLUSTER_INFO, GNO_CLUSTER_JOBS
 // Space      as cluster.h
 // Stages     any with storage buffers
@@ -60,8 +61,13 @@
 #define GNO_CLUSTER_BINDING_JOBS 10
 #endif
 
-layout(set = GNO_CLUSTER_SET, binding = GNO_CLUSTER_BINDING_FRAME, std140) uniform GnoClusterFrameBuffer { GnoClusterFrame v; GnoClusterLayout l; } gnoClusterFrame;
-layout(set = GNO_CLUSTER_SET, binding = GNO_CLUSTER_BINDING_HEADER, std430) coherent buffer GnoClusterHeaderBuffer { GnoClusterHeader v; } gnoClusterHeader;
+layout(set = GNO_CLUSTER_SET, binding = GNO_CLUSTER_BINDING_FRAME, std140) uniform GnoClusterFrameBuffer {
+    GnoClusterFrame v;
+    GnoClusterLayout l;
+}
+gnoClusterFrame;
+layout(set = GNO_CLUSTER_SET, binding = GNO_CLUSTER_BINDING_HEADER, std430) coherent buffer GnoClusterHeaderBuffer { GnoClusterHeader v; }
+gnoClusterHeader;
 layout(set = GNO_CLUSTER_SET, binding = GNO_CLUSTER_BINDING_SLICES, std430) buffer GnoClusterSliceBuffer { float v[]; } gnoClusterSliceTable;
 layout(set = GNO_CLUSTER_SET, binding = GNO_CLUSTER_BINDING_MASKS, std430) coherent buffer GnoClusterMaskBuffer { uint v[]; } gnoClusterMasks;
 layout(set = GNO_CLUSTER_SET, binding = GNO_CLUSTER_BINDING_SHADE, std430) coherent buffer GnoClusterShadeBuffer { uint v[]; } gnoClusterShade;

@@ -3,9 +3,11 @@
 // After Sintorn et al., I3D 2014, sections 2 ("Building the acceleration structure"), 2.1 and 2.3.
 //
 //   void  gnoClusterReset(uint index, uint count)         dispatch 1, invocation `index` of `count`: empties header, masks and shade
-//   void  gnoClusterMeasureDepth(GnoViewSample s, uint invocation)          dispatch 2, all invocations of a work group of any size: depths of its view samples
+//   void  gnoClusterMeasureDepth(GnoViewSample s, uint invocation)          dispatch 2, all invocations of a work group of any size: depths of its
+//   view samples
 //   float gnoClusterSliceAt(uint slice)                   dispatch 3: the table's entry for slice 0 .. slices, to be stored in GNO_CLUSTER_SLICES
-//   void  gnoClusterAddTile(uvec2 tile, uint invocation, GnoViewSample s, uint what)       one work group per tile, one invocation per pixel of it, row by row
+//   void  gnoClusterAddTile(uvec2 tile, uint invocation, GnoViewSample s, uint what)       one work group per tile, one invocation per pixel of it,
+//   row by row
 //   void  gnoClusterUp(uint depth, uint key, uint what)   for depth = levels - 1 down to 1, a dispatch each: one invocation per node of that depth
 //   void  gnoClusterAllocate(uint word)                   compact only: one invocation per word; gives its children a place in the list
 //
@@ -14,9 +16,12 @@
 //   explicit, flat    tiles (both), up (both)
 //   compact           tiles (masks), up (masks), allocate, tiles (bounds), up (bounds)
 //
-// The paper updates bounds upwards by atomics in two steps; here a node's bounds are the union of its children's, which are complete because a level is a dispatch, so
-// there is no contention and no atomic but the bits of the masks. A cluster has all its samples in one tile: its bounds are made in shared memory. The compact form keeps a
-// pointer per word, not per node: a child's box is found by its rank among its siblings. Words that find the list full have no boxes, and their children (and
+// The paper updates bounds upwards by atomics in two steps; here a node's bounds are the union of its children's, which are complete because a level
+// is a dispatch, so
+// there is no contention and no atomic but the bits of the masks. A cluster has all its samples in one tile: its bounds are made in shared memory.
+// The compact form keeps a
+// pointer per word, not per node: a child's box is found by its rank among its siblings. Words that find the list full have no boxes, and their
+// children (and
 // whoever needs a bound over these) fall back to the implicit one: the answer stays right, and header.boxCount says how long the list should be.
 //
 // Space      positions on the scene grid

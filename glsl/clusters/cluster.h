@@ -8,7 +8,8 @@
 // Requires   #version 450, no extension
 //
 //   GnoClusterLayout gnoClusterLayout(uvec2 size, uint form)                follows from resolution and form
-//   uint gnoClusterFirstNode(GnoClusterLayout layout, uint depth)           index of the first node at depth 1 .. levels + 1 (there: the number of all nodes but the root)
+//   uint gnoClusterFirstNode(GnoClusterLayout layout, uint depth)           index of the first node at depth 1 .. levels + 1 (there: the number of
+//   all nodes but the root)
 //   uint gnoClusterWord(GnoClusterLayout layout, uint depth, uint key)      index of the word of inner node `key` at depth 0 .. levels - 1
 //   uint gnoClusterWordsAt(GnoClusterLayout layout, uint depth)             words of inner nodes at a depth
 //   uint gnoClusterWordCount(GnoClusterLayout layout)                       words of all
@@ -17,9 +18,12 @@
 //   uint gnoClusterTileHeight(GnoClusterLayout layout)                      pixels
 //   uint gnoClusterShadeWords(GnoClusterLayout layout)                      words of 32 samples in the shade array
 //
-// A leaf is a CLUSTER: the view samples of one tile of 8x8 pixels in one depth slice. Its key of `bits` bits holds tile x, tile y and slice, interleaved from the low end (x
-// lowest); the slices' two extra bits stand on top. A node at depth d (1 .. levels; the root is 0) is named by the leading bits of a key: its index among those of its
-// depth. Every node has 32 children (the root 2 to 32), so the tree is an array of 32-bit child masks, one WORD per inner node, and a node's index follows from its key.
+// A leaf is a CLUSTER: the view samples of one tile of 8x8 pixels in one depth slice. Its key of `bits` bits holds tile x, tile y and slice,
+// interleaved from the low end (x
+// lowest); the slices' two extra bits stand on top. A node at depth d (1 .. levels; the root is 0) is named by the leading bits of a key: its index
+// among those of its
+// depth. Every node has 32 children (the root 2 to 32), so the tree is an array of 32-bit child masks, one WORD per inner node, and a node's index
+// follows from its key.
 // The flat form of 2011 has no slices and tiles of 8x4 pixels.
 //
 //   1024x1024   7 + 7 + 9 = 23 bits   5 levels   words 1, 8, 256, 8192, 262144   8,659,208 nodes          (section 3: 8.65 million)

@@ -3,21 +3,30 @@
 // After Sintorn et al., I3D 2014, section 2 ("Traversal"), 2.2 and algorithm 1; certified decisions are this project's.
 //
 //   void gnoClusterExpand()       pass 1: takes casters until none is left
-//   void gnoClusterFinish()       pass 2, only with frame.split > 0: takes the jobs that pass 1 left; by indirect dispatch, say (examples/finish_size.comp)
+//   void gnoClusterFinish()       pass 2, only with frame.split > 0: takes the jobs that pass 1 left; by indirect dispatch, say
+//   (examples/finish_size.comp)
 //
-// A node's 32 children are tested by as many lanes as the subgroup has: a child that lies wholly outside one plane of the volume is rejected, one that lies wholly inside all
-// of them is accepted (its bit is cleared: all its samples are in shadow; other volumes need not look at it again), the rest is pending. The walk is depth first, with one word of
-// pending children per level. At a cluster, the lanes test the tile's samples (the paper's way: all of the tile's, not only the cluster's) that are not dark yet.
-// Load balance: pass 1 goes down to depth frame.split and leaves (caster, node) in a list; pass 2 finishes it. A job that finds the list full is finished in place.
-// A caster that lets light through accepts no node: what it takes depends on where the light crosses it, sample by sample. It tests the cluster's own samples only, so that it meets each sample at most once.
+// A node's 32 children are tested by as many lanes as the subgroup has: a child that lies wholly outside one plane of the volume is rejected, one
+// that lies wholly inside all
+// of them is accepted (its bit is cleared: all its samples are in shadow; other volumes need not look at it again), the rest is pending. The walk is
+// depth first, with one word of
+// pending children per level. At a cluster, the lanes test the tile's samples (the paper's way: all of the tile's, not only the cluster's) that are
+// not dark yet.
+// Load balance: pass 1 goes down to depth frame.split and leaves (caster, node) in a list; pass 2 finishes it. A job that finds the list full is
+// finished in place.
+// A caster that lets light through accepts no node: what it takes depends on where the light crosses it, sample by sample. It tests the cluster's
+// own samples only, so that it meets each sample at most once.
 // Persistent threads: a subgroup takes its next job from a counter and waits for nobody; any number of work groups is right, one too.
 //
-// conservative, certified    a node is rejected or accepted only where the exact planes certainly say so (bounds.glsl, volume.glsl); a sample inside a plane's band is left
+// conservative, certified    a node is rejected or accepted only where the exact planes certainly say so (bounds.glsl, volume.glsl); a sample inside
+//                            a plane's band is left
 //                            to core/decide.glsl. An accepted sample is strictly behind the caster, so never on it: `own` matters at samples only
-// published                  fp32 signs as they are, the capping plane pushed away by GNO_CLUSTER_BIAS unless front faces are culled, own casters not skipped
+// published                  fp32 signs as they are, the capping plane pushed away by GNO_CLUSTER_BIAS unless front faces are culled, own casters
+//                            not skipped
 //
 // Space      positions on the scene grid
-// Stages     compute; subgroups of 4 to 128; the whole subgroup calls together. Work groups of any multiple of the subgroup's size, at least 32 invocations where it has more
+// Stages     compute; subgroups of 4 to 128; the whole subgroup calls together. Work groups of any multiple of the subgroup's size, at least 32
+//            invocations where it has more
 // Requires   #version 450, GL_KHR_shader_subgroup_basic and GL_KHR_shader_subgroup_ballot
 // Reads      volumes, info, low, high, pointers, slices, samples, casters (in the band only); masks, shade (atomically)
 // Writes     masks, shade, jobs, header
@@ -35,10 +44,13 @@
 // GNO_CLUSTER_BIAS                  no        0.00001525f               published only, grid units
 // GNO_CLUSTER_LAYERS                no        0                         1: some casters let light through
 // GNO_CLUSTER_IS_OPAQUE(caster)     no        true                      false: light passes caster in places; asked with GNO_CLUSTER_LAYERS 1
-// GNO_CLUSTER_LAYER(c, t, pixel, p) no        true                      bool: nothing passes caster c, whose triangle is t, towards sample p at uvec2 pixel; else what passes
-//                                                                       is noted by this expression (core/transmittance.glsl); asked once per such pair
+// GNO_CLUSTER_LAYER(c, t, pixel, p) no        true                      bool: nothing passes caster c, whose triangle is t, towards sample p at
+//                                             uvec2 pixel; else what passes
+//                                                                       is noted by this expression (core/transmittance.glsl); asked once per such
+//                                                                       pair
 // GNO_CLUSTER_ON_LEAF_TEST(pixel)   no        nothing                   a statement that runs for each sample that is tested (to count them)
-// GNO_CLUSTER_ON_JOB(job)           no        nothing                   a statement that runs when a job is done; gnoClusterSteps holds its iterations
+// GNO_CLUSTER_ON_JOB(job)           no        nothing                   a statement that runs when a job is done; gnoClusterSteps holds its
+//                                                                       iterations
 // The macros of nodes.glsl
 #ifndef GNO_CLUSTERS_TRAVERSE_GLSL
 #define GNO_CLUSTERS_TRAVERSE_GLSL
@@ -126,7 +138,13 @@ uint gnoClusterClassify_(GnoClusterVolume_ v_, GnoClusterBounds bounds_) {
     bool inside_ = true;
     uint planes_ = GNO_CLUSTER_FRAME.extraPlanes == 0u ? 4u : 7u;
     for (uint i_ = 0u; i_ < planes_; ++i_) {  // the cap first: it rejects most
-        vec4 plane_ = i_ == 0u ? v_.cap : i_ == 1u ? v_.ab : i_ == 2u ? v_.bc : i_ == 3u ? v_.ca : i_ == 4u ? v_.extraA : i_ == 5u ? v_.extraB : v_.extraC;
+        vec4 plane_ = i_ == 0u   ? v_.cap
+                      : i_ == 1u ? v_.ab
+                      : i_ == 2u ? v_.bc
+                      : i_ == 3u ? v_.ca
+                      : i_ == 4u ? v_.extraA
+                      : i_ == 5u ? v_.extraB
+                                 : v_.extraC;
         float margin_ = i_ < 4u ? gnoClusterMargin_(v_, bounds_, i_ == 0u) : 8.0 * GNO_BAND * bounds_.scale + bounds_.uncertain;
         GNO_COUNT(planeTests, 1u);
         vec2 range_ = gnoClusterRange(GNO_CLUSTER_FRAME, GNO_LIGHT, bounds_, plane_);
@@ -144,14 +162,16 @@ GnoClusterBounds gnoClusterCellOf_(uint depth_, uint key_, float near_, float fa
     uint maskY_ = GNO_CLUSTER_LAYOUT.maskY >> below_;
     uint maskZ_ = GNO_CLUSTER_LAYOUT.maskZ >> below_;
     uint bits_ = (1u << below_) - 1u;
-    uvec3 size_ = uvec3(1u) << uvec3(bitCount(GNO_CLUSTER_LAYOUT.maskX & bits_), bitCount(GNO_CLUSTER_LAYOUT.maskY & bits_), bitCount(GNO_CLUSTER_LAYOUT.maskZ & bits_));
+    uvec3 size_ = uvec3(1u) << uvec3(bitCount(GNO_CLUSTER_LAYOUT.maskX & bits_), bitCount(GNO_CLUSTER_LAYOUT.maskY & bits_),
+                                     bitCount(GNO_CLUSTER_LAYOUT.maskZ & bits_));
     uvec2 first_ = uvec2(gnoClusterExtract(key_, maskX_), gnoClusterExtract(key_, maskY_)) * uvec2(size_.x, size_.y);
     if (GNO_CLUSTER_FORM != GNO_CLUSTER_FLAT) {
         uint slice_ = gnoClusterExtract(key_, maskZ_) * size_.z;
         near_ = GNO_CLUSTER_SLICES[slice_];
         far_ = GNO_CLUSTER_SLICES[slice_ + size_.z];
     }
-    return gnoClusterCell(GNO_CLUSTER_FRAME, GNO_CLUSTER_LAYOUT, GNO_LIGHT, first_, first_ + uvec2(size_.x, size_.y), near_, far_, uintBitsToFloat(GNO_CLUSTER_HEADER.slack));
+    return gnoClusterCell(GNO_CLUSTER_FRAME, GNO_CLUSTER_LAYOUT, GNO_LIGHT, first_, first_ + uvec2(size_.x, size_.y), near_, far_,
+                          uintBitsToFloat(GNO_CLUSTER_HEADER.slack));
 }
 
 GnoClusterBounds gnoClusterBoundsOf_(uint depth_, uint key_) {
@@ -237,7 +257,8 @@ void gnoClusterTest_(GnoClusterVolume_ v_, uint key_) {
                 GnoViewSample s_ = GNO_CLUSTER_LOAD_SAMPLE(ivec2(pixel_));
                 bool skip_ = GNO_PRECISION != GNO_PRECISION_PUBLISHED && s_.own == v_.caster;
 #if GNO_CLUSTER_LAYERS
-                if (!v_.opaque && s_.own <= GNO_NO_CASTER && GNO_CLUSTER_FORM != GNO_CLUSTER_FLAT)  // what passes is added up: not again from the tile's other clusters
+                // what passes is added up: not again from the tile's other clusters
+                if (!v_.opaque && s_.own <= GNO_NO_CASTER && GNO_CLUSTER_FORM != GNO_CLUSTER_FLAT)
                     skip_ = skip_ || gnoClusterLeafKey(tile_, gnoClusterDepth(GNO_CLUSTER_FRAME, s_.position)) != key_;
 #endif
                 if (s_.own <= GNO_NO_CASTER && !skip_) {

@@ -4,13 +4,18 @@
 //
 //   void gnoClusterSetUpVolume(uint caster, int facing)         writes the caster's 7 planes and its info; facing 0: it is left out
 //
-// Per caster: lateral planes of ab, bc, ca and the capping plane, inside negative (top/plane.glsl: two casters that share an edge have the same plane, up to its sign);
+// Per caster: lateral planes of ab, bc, ca and the capping plane, inside negative (top/plane.glsl: two casters that share an edge have the same
+// plane, up to its sign);
 // then three planes that hold the whole volume on their negative side, zero where there is none:
-//   implicit, explicit, compact    for each vertex, through light and vertex, the half vector of the adjacent lateral planes' normals turned to a right angle with the ray
+//   implicit, explicit, compact    for each vertex, through light and vertex, the half vector of the adjacent lateral planes' normals turned to a
+//   right angle with the ray
 //   flat                           through light, viewer and a vertex, where the other two vertices lie on one side: at most two of the three do
-// An extra plane is kept only when its safety was seen. Let g be its side. Point light: g(v_i) <= 2E|v_i| (computed; 5u more exactly) for the three vertices, and s, the
-// cosine that gnoTopSpread bounds from below, above 1/2. A point of the volume is q = sum l_i v_i, l_i >= 0, and |q| >= s sum l_i |v_i|, so g(q) <= 3E|q|/s < 6E|q|.
-// Directional: g(v_i) <= 2ES and |n.D'| <= 2E, a point is x - mu D' with mu <= 2S: g < 7ES. A node is rejected when all of it has g > 8E scale, one E for rounding.
+// An extra plane is kept only when its safety was seen. Let g be its side. Point light: g(v_i) <= 2E|v_i| (computed; 5u more exactly) for the three
+// vertices, and s, the
+// cosine that gnoTopSpread bounds from below, above 1/2. A point of the volume is q = sum l_i v_i, l_i >= 0, and |q| >= s sum l_i |v_i|, so g(q) <=
+// 3E|q|/s < 6E|q|.
+// Directional: g(v_i) <= 2ES and |n.D'| <= 2E, a point is x - mu D' with mu <= 2S: g < 7ES. A node is rejected when all of it has g > 8E scale, one
+// E for rounding.
 //
 // Space      casters on the scene grid; planes in the coordinates of gnoFromLight; facing = gnoFacing(light, caster), exact
 // Stages     any with storage buffers; no barrier, may diverge
@@ -47,7 +52,8 @@ GNO_NAMESPACE_BEGIN
 // The plane if it is safe, else zero. q: the vertices relative to the light.
 GNO_INLINE vec4 gnoClusterIfSafe_(vec4 plane_, vec3 qa_, vec3 qb_, vec3 qc_, float spread_) {
     float most_ = 2.0f * GNO_BAND;
-    bool safe_ = gnoTopSide(plane_, qa_) <= most_ * gnoLightScale(GNO_LIGHT, qa_) && gnoTopSide(plane_, qb_) <= most_ * gnoLightScale(GNO_LIGHT, qb_) &&
+    bool safe_ = gnoTopSide(plane_, qa_) <= most_ * gnoLightScale(GNO_LIGHT, qa_) &&
+                 gnoTopSide(plane_, qb_) <= most_ * gnoLightScale(GNO_LIGHT, qb_) &&
                  gnoTopSide(plane_, qc_) <= most_ * gnoLightScale(GNO_LIGHT, qc_);
     if (GNO_LIGHT.w == 0.0f) {
         vec3 towards_ = gnoTopUnit_(vec3(GNO_LIGHT.x, GNO_LIGHT.y, GNO_LIGHT.z));

@@ -5,8 +5,10 @@
 //        bits 0..1: facing + 1 (facing = gnoFacing, exact; 0 is seen edge-on and casts nothing)   bit 2: GNO_CASTER_KEPT
 //   int  gnoCasterFacing(uint state)                    facing of a kept caster, 0 of one that is left out
 //
-// Front-face culling drops what faces the light; it is legal only for closed, consistently oriented meshes, so it needs `closed`, and it changes the set of
-// casters that the definition speaks of. Hull culling drops what lies outside the convex hull of view frustum and light; it never changes a view sample:
+// Front-face culling drops what faces the light; it is legal only for closed, consistently oriented meshes, so it needs `closed`, and it changes the
+// set of
+// casters that the definition speaks of. Hull culling drops what lies outside the convex hull of view frustum and light; it never changes a view
+// sample:
 // a caster goes only when it is outside one plane of that hull by more than the plane's own margin.
 //
 // Space      casters and light on the scene grid; front = counter-clockwise seen from the light
@@ -14,7 +16,8 @@
 // Requires   #version 450, no extension
 //
 // Macro                      required  default  meaning
-// GNO_LOAD_CULL_PLANE(i)     no        -        vec4, i < planeCount; a vertex with dot(xyz, p) + w < 0 is outside, rounding allowed for; needed for hull culling
+// GNO_LOAD_CULL_PLANE(i)     no        -        vec4, i < planeCount; a vertex with dot(xyz, p) + w < 0 is outside, rounding allowed for; needed for
+//                                               hull culling
 #ifndef GNO_CORE_CASTER_STATE_GLSL
 #define GNO_CORE_CASTER_STATE_GLSL
 #include "light.glsl"

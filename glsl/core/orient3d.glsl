@@ -2,11 +2,13 @@
 // gnomon core/orient3d.glsl : exact signs of determinants of grid positions, and the definition of "in shadow" made of them.
 //
 //   int  gnoOrient3d(vec3 o, vec3 a, vec3 b, vec3 c)                               sign of det[a - o, b - o, c - o]: -1, 0 or 1
-//   int  gnoOrient3dLight(vec4 light, vec3 a, vec3 b, vec3 c)                      w = 1: gnoOrient3d(light, a, b, c); w = 0: -sign det[light, b - a, c - a]
+//   int  gnoOrient3dLight(vec4 light, vec3 a, vec3 b, vec3 c)                      w = 1: gnoOrient3d(light, a, b, c); w = 0: -sign det[light, b -
+//   a, c - a]
 //   int  gnoFacing(vec4 light, GnoCaster t)                                        gnoOrient3dLight(light, t.a, t.b, t.c); 0: edge-on, casts nothing
 //   bool gnoInShadowOf(vec4 light, GnoCaster t, vec3 p)                            true: t shadows p (README "What in shadow means", 1 to 3)
 //   bool gnoInShadowOfFacing(vec4 light, GnoCaster t, vec3 p, int facing)          the same where gnoFacing(light, t) is known already
-//   vec3 gnoExactNormal(GnoCaster t)                                               (b - a) x (c - a): each component within 2^-22 of its exact value,
+//   vec3 gnoExactNormal(GnoCaster t)                                               (b - a) x (c - a): each component within 2^-22 of its exact
+//   value,
 //                                                                                  times a power of two that brings the largest into [0.5, 1);
 //                                                                                  zero if and only if a, b, c are exactly collinear
 //

@@ -2,10 +2,13 @@
 // gnomon core/prefix_sum.glsl : exclusive prefix sums, within a work group and by one work group over an array.
 //
 //   uint gnoGroupPrefix(uint value, uint invocation, out uint total)      the sum of the values of all earlier invocations of the work group
-//   uint gnoArrayPrefix(uint count, uint invocation)                      GNO_PREFIX_WORDS[0 .. count) become their prefix sums; the total is returned
+//   uint gnoArrayPrefix(uint count, uint invocation)                      GNO_PREFIX_WORDS[0 .. count) become their prefix sums; the total is
+//   returned
 //
-// Both are called by all GNO_PREFIX_GROUP invocations of a work group in uniform control flow. gnoArrayPrefix is for one work group alone: nothing waits for another
-// one, on any device, and the array's sums are there for the next dispatch. It is meant for the short arrays of sums that many work groups leave behind.
+// Both are called by all GNO_PREFIX_GROUP invocations of a work group in uniform control flow. gnoArrayPrefix is for one work group alone: nothing
+// waits for another
+// one, on any device, and the array's sums are there for the next dispatch. It is meant for the short arrays of sums that many work groups leave
+// behind.
 //
 // Space      none: no positions
 // Stages     compute; holds barriers

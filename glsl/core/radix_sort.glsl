@@ -5,8 +5,10 @@
 //   (gnoArrayPrefix of core/prefix_sum.glsl over the counts, gnoSortCounts(length) of them: dispatch 2, one work group)
 //   void gnoSortScatter(uint tile, uint invocation)      dispatch 3: every pair goes to its place
 //
-// A tile is GNO_SORT_TILE pairs and belongs to one work group; each invocation takes GNO_SORT_SHARE pairs in a row and has counters of its own in shared memory, so there
-// is no atomic, and equal keys keep their order. A round reads keys and values and writes the sorted ones, which must be other arrays; eight rounds (shift 0, 4 .. 28) sort
+// A tile is GNO_SORT_TILE pairs and belongs to one work group; each invocation takes GNO_SORT_SHARE pairs in a row and has counters of its own in
+// shared memory, so there
+// is no atomic, and equal keys keep their order. A round reads keys and values and writes the sorted ones, which must be other arrays; eight rounds
+// (shift 0, 4 .. 28) sort
 // whole words and end where they began. Work groups wait for each other only at the ends of dispatches.
 //
 // Space      none: no positions

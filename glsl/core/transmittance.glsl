@@ -7,10 +7,12 @@
 //   ivec2 gnoHitTexel(uvec3 weights, GnoSurface s)                         texel coordinate of the hit point
 //   uvec4 gnoSampleTexture(GnoMaterial m, ivec2 at)                        filtered texel, 0 to 255 a channel; 255 each without a texture
 //   uvec3 gnoTransmitted(GnoMaterial m, uvec4 texel)                       what passes, 0 to 255 a channel
-//   uint  gnoContribution(uint transmitted)                                round(-log2(transmitted / 255) * 2^16), 0 to 523918; 0: GNO_TRANSMITTANCE_OPAQUE
+//   uint  gnoContribution(uint transmitted)                                round(-log2(transmitted / 255) * 2^16), 0 to 523918; 0:
+//   GNO_TRANSMITTANCE_OPAQUE
 //
 // Definition. A sample's contributions, of all casters but its own in whose shadow volume it lies, are added per channel; sums stop at
-// GNO_TRANSMITTANCE_OPAQUE = 16 * 2^16. The light that arrives is 2^(-sum / 2^16) of the light's; at the stop it is none. The sample is in shadow when all three
+// GNO_TRANSMITTANCE_OPAQUE = 16 * 2^16. The light that arrives is 2^(-sum / 2^16) of the light's; at the stop it is none. The sample is in shadow
+// when all three
 // sums are at the stop. Integers only, and addition with a stop knows no order: every device and every order of casters gives the same sums.
 //
 //   hit point  core/hit_weights.glsl: integer weights of the caster's vertices
@@ -21,14 +23,16 @@
 //   passes     255 - coverage + round(coverage * colour * transmission / 255^2), colour = round(texel colour * factor / 65535)
 //              So without transmission blend lets 1 - alpha of white light through; KHR_materials_transmission is what colours it
 //   adds       gnoContribution of what passes. An opaque caster adds GNO_TRANSMITTANCE_OPAQUE to each channel
-// Vertex colours (COLOR_0), their alpha included, are not part of it. Volumes are closed: a sample exactly in the plane through the light and an edge
+// Vertex colours (COLOR_0), their alpha included, are not part of it. Volumes are closed: a sample exactly in the plane through the light and an
+// edge
 // that two triangles share lies in both volumes, and both contribute.
 //
 // Space      caster, light and p as in core/orient3d.glsl; p in the caster's shadow volume (gnoInShadowOf). Elsewhere some contribution, no error
 // Stages     any; may diverge; pure
 // Requires   #version 450, no extension, no optional device feature
 // Reads      casters' materials only through the macros; writes nothing; declares no binding
-// Cost       opaque: one load. Others: two loads; with a texture gnoHitWeights, two gnoWeightedMean and 1 or 4 texels; then up to 3 times 24 umulExtended
+// Cost       opaque: one load. Others: two loads; with a texture gnoHitWeights, two gnoWeightedMean and 1 or 4 texels; then up to 3 times 24
+//            umulExtended
 //
 // Macro                         required  default  meaning
 // GNO_LOAD_MATERIAL_OF(caster)  yes       -        uint: GNO_OPAQUE_CASTER, or the number of the caster's surface

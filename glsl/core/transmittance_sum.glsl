@@ -17,7 +17,8 @@
 // Reads      and writes GNO_TRANSMITTANCE_SUMS; atomic but for gnoTransmittanceSum
 //
 // Macro                         required  default  meaning
-// GNO_TRANSMITTANCE_SUMS        yes       -        uint array in a buffer (an l-value), 4 per pixel: three sums, and bits 0 to 2 where they are at the stop
+// GNO_TRANSMITTANCE_SUMS        yes       -        uint array in a buffer (an l-value), 4 per pixel: three sums, and bits 0 to 2 where they are at
+//                                                  the stop
 #ifndef GNO_CORE_TRANSMITTANCE_SUM_GLSL
 #define GNO_CORE_TRANSMITTANCE_SUM_GLSL
 #include "material.h"

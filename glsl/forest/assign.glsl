@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// gnomon forest/assign.glsl : which casters stand in which cells. A caster is kept in a cell that its shadow volume may meet, unless it starts beyond the cell's
+// gnomon forest/assign.glsl : which casters stand in which cells. A caster is kept in a cell that its shadow volume may meet, unless it starts
+// beyond the cell's
 // farthest view sample, or beyond a caster that hides the whole cell.
 //
 //   GnoForestSeen gnoForestSeen()                                             1: what an invocation begins with,
 //   void gnoForestSeeSample(inout GnoForestSeen seen, vec3 p)                 1: calls for each of its view samples
 //   void gnoForestTell(GnoForestSeen seen)                                    1: and ends with: cells know how far their samples lie
-//   uint gnoForestSort(uint caster, GnoCellVolume v)                          2: GNO_FOREST_FEW_CELLS, _SOME_CELLS or _MANY_CELLS; gnoCellSight is enough for v
+//   uint gnoForestSort(uint caster, GnoCellVolume v)                          2: GNO_FOREST_FEW_CELLS, _SOME_CELLS or _MANY_CELLS; gnoCellSight is
+//   enough for v
 //   void gnoForestNone(uint caster)                                           2, for a caster that is left out
 //   void gnoForestCover(GnoCellVolume v, uint lane, uint lanes)               3: cells learn which depth hides them; some and many
 //   void gnoForestCountFew(uint caster)                                       4: how many casters each cell keeps
@@ -13,12 +15,17 @@
 //   void gnoForestAllocate(uint cell)                                         5: where its casters go in the pool
 //   void gnoForestEmitFew(uint caster)                                        6: puts them there
 //   void gnoForestEmit(uint caster, GnoCellVolume v, uint lane, uint lanes)   6, some and many
-//   void gnoForestSizes()                                                     after 2 and 5, one invocation: group counts for the passes over lists and pairs
+//   void gnoForestSizes()                                                     after 2 and 5, one invocation: group counts for the passes over lists
+//   and pairs
 //
-// Each step is a dispatch of its own, over samples (1), casters (2, 4, 6) or cells (5). Most casters have one to four cells: what 2 finds out about them is kept, 4 and 6 only
-// look it up. The others 2 asks the caller to list: `some` are worked on by an invocation each, (lane, lanes) = (0, 1), `many` by a work group each whose lanes take every
-// `lanes`-th cell. 4 and 6 see the same cells, so what is counted is what is put: a pool of header.pairs pairs is filled exactly. In a smaller one the rest is left out and
-// header.pairs tells: the forest is not complete then, and no query over it means anything. Call 6 for `many` and `some` first: large casters are better pivots.
+// Each step is a dispatch of its own, over samples (1), casters (2, 4, 6) or cells (5). Most casters have one to four cells: what 2 finds out about
+// them is kept, 4 and 6 only
+// look it up. The others 2 asks the caller to list: `some` are worked on by an invocation each, (lane, lanes) = (0, 1), `many` by a work group each
+// whose lanes take every
+// `lanes`-th cell. 4 and 6 see the same cells, so what is counted is what is put: a pool of header.pairs pairs is filled exactly. In a smaller one
+// the rest is left out and
+// header.pairs tells: the forest is not complete then, and no query over it means anything. Call 6 for `many` and `some` first: large casters are
+// better pivots.
 //
 // Space      light coordinates; samples on the scene grid
 // Stages     any with storage buffers; may diverge
@@ -106,7 +113,8 @@ GNO_INLINE uint gnoForestSort(uint caster_, GnoCellVolume v_) {
     uint least_ = floatBitsToUint(v_.least);
     uint kept_ = 0u;
     for (uint n_ = 0u; n_ < 4u; ++n_) {  // none of them is missed for certain: only corners of 2 x 2 could be
-        if ((n_ & 1u) < size_.x && (n_ >> 1) < size_.y && gnoForestHasSamples_(cell_ + (n_ & 1u) + (n_ >> 1) * GNO_FOREST_GRID.resolution, least_)) kept_ |= 1u << n_;
+        if ((n_ & 1u) < size_.x && (n_ >> 1) < size_.y && gnoForestHasSamples_(cell_ + (n_ & 1u) + (n_ >> 1) * GNO_FOREST_GRID.resolution, least_))
+            kept_ |= 1u << n_;
     }
     if (kept_ != 0u) GNO_FOREST_FEW[caster_] = GnoForestFew(cell_ | (kept_ << 28), least_);
     return GNO_FOREST_FEW_CELLS;
@@ -117,10 +125,12 @@ GNO_INLINE void gnoForestCover(GnoCellVolume v_, uint lane_, uint lanes_) {
     for (uint face_ = v_.face; face_ < v_.faceEnd; ++face_) {
         uvec4 r_ = gnoCellRectangle(GNO_LIGHT, GNO_FOREST_GRID, face_, v_);
         uvec2 wide_ = uvec2(r_.z - r_.x, r_.w - r_.y);
-        if (min(wide_.x, wide_.y) < 3u) continue;  // a covered cell has met neighbours on all sides; one at the face's border is not worth more tests
+        // a covered cell has met neighbours on all sides; one at the face's border is not worth more tests
+        if (min(wide_.x, wide_.y) < 3u) continue;
         for (uint n_ = lane_; n_ < wide_.x * wide_.y; n_ += lanes_) {
             uvec2 at_ = uvec2(r_.x + n_ % wide_.x, r_.y + n_ / wide_.x);
-            if (gnoCellCovered(GNO_LIGHT, GNO_FOREST_GRID, face_, at_, v_)) atomicMin(GNO_FOREST_CELLS[gnoForestCell_(face_, at_)].cover, floatBitsToUint(v_.most));
+            if (gnoCellCovered(GNO_LIGHT, GNO_FOREST_GRID, face_, at_, v_))
+                atomicMin(GNO_FOREST_CELLS[gnoForestCell_(face_, at_)].cover, floatBitsToUint(v_.most));
         }
     }
 }

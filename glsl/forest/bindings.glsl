@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // gnomon forest/bindings.glsl : our buffers of a forest; leave it out and define the macros yourself where your storage differs.
 //
-// Defines    GNO_FOREST_GRID, GNO_FOREST_CELLS, GNO_FOREST_FEW, GNO_FOREST_PAIRS, GNO_FOREST_CAPACITY, GNO_FOREST_HEADER; with GNO_FOREST_TREES 1, for glsl/top:
+// Defines    GNO_FOREST_GRID, GNO_FOREST_CELLS, GNO_FOREST_FEW, GNO_FOREST_PAIRS, GNO_FOREST_CAPACITY, GNO_FOREST_HEADER; with GNO_FOREST_TREES 1,
+//            for glsl/top:
 //            GNO_TOP_CASTER_OF, GNO_TOP_ROOT_OF, GNO_TOP_FIND_ROOT (that needs GNO_LIGHT where a query is used)
 // Space      as cells.h
 // Stages     any with storage buffers

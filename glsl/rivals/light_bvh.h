@@ -90,7 +90,8 @@ GNO_STRUCT_SIZE(GnoLightBvhLevel, 20)
 
 GNO_INLINE uint gnoLightBvhGroups(uint count_) { return (count_ + GNO_LIGHT_BVH_GROUP - 1u) / GNO_LIGHT_BVH_GROUP; }
 
-// A node with fewer than four children has leaves only, so n leaves under a root have at most max(1, (2n - 1) / 3) nodes (by induction), on six faces in all this many.
+// A node with fewer than four children has leaves only, so n leaves under a root have at most max(1, (2n - 1) / 3) nodes (by induction), on six
+// faces in all this many.
 GNO_INLINE uint gnoLightBvhNodes(uint references_) { return 2u * (references_ / 3u) + 8u; }
 
 // Boxes of a row, and of all rows: row 0 are the sorted references, each next one has a box for GNO_LIGHT_BVH_FAN of those before.

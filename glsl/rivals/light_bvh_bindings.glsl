@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// gnomon rivals/light_bvh_bindings.glsl : our buffers of a light-space hierarchy; leave it out and define the macros yourself where your storage differs.
+// gnomon rivals/light_bvh_bindings.glsl : our buffers of a light-space hierarchy; leave it out and define the macros yourself where your storage
+// differs.
 //
-// Defines    GNO_LIGHT_BVH_GRID, GNO_LIGHT_BVH_ROOT, GNO_LIGHT_BVH_LOAD_NODE, GNO_LIGHT_BVH_LOAD_PARENT; with GNO_LIGHT_BVH_BUILD 1 also GNO_LIGHT_BVH_MASKS,
-//            GNO_LIGHT_BVH_SUMS, GNO_LIGHT_BVH_HEADER, GNO_LIGHT_BVH_LEVEL_TABLE, GNO_LIGHT_BVH_REFERENCES, GNO_LIGHT_BVH_CAPACITY, GNO_LIGHT_BVH_KEYS,
+// Defines    GNO_LIGHT_BVH_GRID, GNO_LIGHT_BVH_ROOT, GNO_LIGHT_BVH_LOAD_NODE, GNO_LIGHT_BVH_LOAD_PARENT; with GNO_LIGHT_BVH_BUILD 1 also
+//            GNO_LIGHT_BVH_MASKS,
+//            GNO_LIGHT_BVH_SUMS, GNO_LIGHT_BVH_HEADER, GNO_LIGHT_BVH_LEVEL_TABLE, GNO_LIGHT_BVH_REFERENCES, GNO_LIGHT_BVH_CAPACITY,
+//            GNO_LIGHT_BVH_KEYS,
 //            GNO_LIGHT_BVH_ORDER, GNO_LIGHT_BVH_BOXES, GNO_LIGHT_BVH_SPLITS, GNO_LIGHT_BVH_NODES, GNO_LIGHT_BVH_PARENTS
 // Space      as light_bvh.h
 // Stages     any with storage buffers
@@ -52,9 +55,16 @@
 #endif
 
 layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_GRID, std140) uniform GnoLightBvhGridBuffer { GnoForestGrid v; } gnoLightBvhGrid;
-layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_HEADER, std430) GNO_LIGHT_BVH_ACCESS_ buffer GnoLightBvhHeaderBuffer { GnoLightBvhHeader v; } gnoLightBvhHeader;
-layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_NODES, std430) GNO_LIGHT_BVH_ACCESS_ buffer GnoLightBvhNodeBuffer { GnoLightBvhNode v[]; } gnoLightBvhNode;
-layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_PARENTS, std430) GNO_LIGHT_BVH_ACCESS_ buffer GnoLightBvhParentBuffer { uint v[]; } gnoLightBvhParents;
+layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_HEADER, std430) GNO_LIGHT_BVH_ACCESS_ buffer GnoLightBvhHeaderBuffer {
+    GnoLightBvhHeader v;
+}
+gnoLightBvhHeader;
+layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_NODES, std430) GNO_LIGHT_BVH_ACCESS_ buffer GnoLightBvhNodeBuffer {
+    GnoLightBvhNode v[];
+}
+gnoLightBvhNode;
+layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_PARENTS, std430) GNO_LIGHT_BVH_ACCESS_ buffer GnoLightBvhParentBuffer { uint v[]; }
+gnoLightBvhParents;
 
 #define GNO_LIGHT_BVH_GRID gnoLightBvhGrid.v
 #define GNO_LIGHT_BVH_ROOT(face_) gnoLightBvhHeader.v.roots[face_]
@@ -88,12 +98,15 @@ layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_PARENTS, std430)
 #endif
 layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_MASKS, std430) buffer GnoLightBvhMaskBuffer { uint v[]; } gnoLightBvhMasks;
 layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_SUMS, std430) buffer GnoLightBvhSumBuffer { uint v[]; } gnoLightBvhSums;
-layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_LEVELS, std430) buffer GnoLightBvhLevelBuffer { GnoLightBvhLevel v[]; } gnoLightBvhLevels;
-layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_REFERENCES, std430) buffer GnoLightBvhReferenceBuffer { GnoLightBvhBox v[]; } gnoLightBvhReferences;
+layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_LEVELS, std430) buffer GnoLightBvhLevelBuffer { GnoLightBvhLevel v[]; }
+gnoLightBvhLevels;
+layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_REFERENCES, std430) buffer GnoLightBvhReferenceBuffer { GnoLightBvhBox v[]; }
+gnoLightBvhReferences;
 layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_KEYS, std430) buffer GnoLightBvhKeyBuffer { uint v[]; } gnoLightBvhKeys;
 layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_ORDER, std430) buffer GnoLightBvhOrderBuffer { uint v[]; } gnoLightBvhOrder;
 layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_BOXES, std430) buffer GnoLightBvhBoxBuffer { GnoLightBvhBox v[]; } gnoLightBvhBoxes_;
-layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_SPLITS, std430) buffer GnoLightBvhSplitBuffer { GnoLightBvhBox v[]; } gnoLightBvhSplits;
+layout(set = GNO_LIGHT_BVH_SET, binding = GNO_LIGHT_BVH_BINDING_SPLITS, std430) buffer GnoLightBvhSplitBuffer { GnoLightBvhBox v[]; }
+gnoLightBvhSplits;
 
 #define GNO_LIGHT_BVH_MASKS gnoLightBvhMasks.v
 #define GNO_LIGHT_BVH_SUMS gnoLightBvhSums.v

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // gnomon rivals/light_bvh_bounds.glsl : a caster's bounds on the faces of a light's cube, and where a point lies in them.
 //
-//   GnoLightBvhCaster gnoLightBvhCaster(vec4 light, GnoCaster t, int facing)         a kept caster, seen from the light; facing = gnoFacing(light, t), never 0
+//   GnoLightBvhCaster gnoLightBvhCaster(vec4 light, GnoCaster t, int facing)         a kept caster, seen from the light; facing = gnoFacing(light,
+//   t), never 0
 //   uint gnoLightBvhFaces(vec4 light, GnoForestGrid grid, GnoLightBvhCaster c)        bit f: its shadow volume may meet a sample of face f
 //   bool gnoLightBvhBounds(vec4 light, GnoForestGrid grid, uint face, GnoLightBvhCaster c, out uint low, out uint high)       false: it meets none
 //   uint gnoLightBvhKey(uint face, uint low, uint high)               the order of the references: by face, then along a Morton curve
@@ -9,11 +10,14 @@
 //   float gnoLightBvhArea(uint low, uint high)                        in cells
 //   bool gnoLightBvhHolds(uint low, uint high, uint place)            the cell in column `place & 0xFFFF` and row `place >> 16` lies in the bounds
 //
-// Bounds are whole cells (forest/cells.glsl, 1 to 4): a point in a caster's shadow volume has its cell in the caster's bounds on its face, for certain, and comparing
-// cells is exact. So a hierarchy of unions loses nothing, and only the leaves' casters are left to decide. A caster whose cells reach a face's border may pass by its corner: that face is
+// Bounds are whole cells (forest/cells.glsl, 1 to 4): a point in a caster's shadow volume has its cell in the caster's bounds on its face, for
+// certain, and comparing
+// cells is exact. So a hierarchy of unions loses nothing, and only the leaves' casters are left to decide. A caster whose cells reach a face's
+// border may pass by its corner: that face is
 // left out where gnoCellMissed is sure of the whole pyramid (a grid of one cell per face).
 //
-// A face's side: its samples have x/z <= 1 + 2E (forest/cells.glsl, 1). If x - z (1 + 2E) > 0 at all vertices, so it is in the whole volume, whatever z. The computed
+// A face's side: its samples have x/z <= 1 + 2E (forest/cells.glsl, 1). If x - z (1 + 2E) > 0 at all vertices, so it is in the whole volume,
+// whatever z. The computed
 // x - z errs by 2u(|x| + |z|), so x - z > 3E(|x| + |z|) is enough.
 //
 // Space      light coordinates; grid.resolution is GNO_LIGHT_BVH_RESOLUTION
@@ -89,7 +93,8 @@ GNO_INLINE uint gnoLightBvhFaces(vec4 light_, GnoForestGrid grid_, GnoLightBvhCa
     return faces_;
 }
 
-// From the top: 3 bits of the face, then digit by digit whether the bounds are as wide as the digit's cell (the first four), and the middle's column and row.
+// From the top: 3 bits of the face, then digit by digit whether the bounds are as wide as the digit's cell (the first four), and the middle's column
+// and row.
 GNO_INLINE uint gnoLightBvhKey(uint face_, uint low_, uint high_) {
     uint x_ = ((low_ & 0xFFFFu) + (high_ & 0xFFFFu)) >> 1;
     uint y_ = ((low_ >> 16) + (high_ >> 16)) >> 1;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // gnomon rivals/light_bvh_build.glsl : a hierarchy over the casters of a light, built along a Morton curve.
-// Binary hierarchy after Karras, "Maximizing Parallelism in the Construction of BVHs, Octrees, and k-d Trees", HPG 2012; opened to four children from the top.
+// Binary hierarchy after Karras, "Maximizing Parallelism in the Construction of BVHs, Octrees, and k-d Trees", HPG 2012; opened to four children
+// from the top.
 //
-//   void gnoLightBvhCount(uint caster, uint faces, uint group, uint invocation)             1: one invocation per triangle; gnoLightBvhFaces, or 0: it casts nothing
+//   void gnoLightBvhCount(uint caster, uint faces, uint group, uint invocation)             1: one invocation per triangle; gnoLightBvhFaces, or 0:
+//   it casts nothing
 //   void gnoLightBvhBegin(uint references)                                     2: one invocation, told the sum of all counts
 //   uint gnoLightBvhFirst(uint faces, uint group, uint invocation)             3: as 1, with the same faces: where the caster's references begin
 //   void gnoLightBvhEmit(uint caster, uint faces, GnoLightBvhCaster c, uint first)          3: writes them
@@ -10,16 +12,21 @@
 //   void gnoLightBvhLeaf(uint i)                                               5: one invocation per reference, in sorted order
 //   void gnoLightBvhUp(uint row, uint i)                                       6: rows 1, 2 .. until one has a single box, a dispatch each
 //   void gnoLightBvhSplit(uint i)                                              7: one invocation per reference
-//   void gnoLightBvhCollapse(uint level, uint i)                               8: levels 0 .. GNO_LIGHT_BVH_LEVELS - 1, a dispatch each; most of them are empty
+//   void gnoLightBvhCollapse(uint level, uint i)                               8: levels 0 .. GNO_LIGHT_BVH_LEVELS - 1, a dispatch each; most of
+//   them are empty
 //
-// Between 1 and 2 the sums become prefix sums (core/prefix_sum.glsl). Each step is a dispatch of its own; what it reads was written in earlier ones. No step waits for another
-// work group, and the only atomics are the allocation of nodes. The bounds of an inner node are the union over its range of the sorted references, taken from the rows of boxes:
-// a few loads, no way up the tree, no order between invocations. The tree's shape depends on the casters alone; where its nodes lie depends on who came first.
+// Between 1 and 2 the sums become prefix sums (core/prefix_sum.glsl). Each step is a dispatch of its own; what it reads was written in earlier ones.
+// No step waits for another
+// work group, and the only atomics are the allocation of nodes. The bounds of an inner node are the union over its range of the sorted references,
+// taken from the rows of boxes:
+// a few loads, no way up the tree, no order between invocations. The tree's shape depends on the casters alone; where its nodes lie depends on who
+// came first.
 //
 // A pool that is too small is not overrun: header.references tells, and no query over it means anything.
 //
 // Space      light coordinates
-// Stages     compute with storage buffers; gnoLightBvhCount and gnoLightBvhFirst hold barriers: all GNO_LIGHT_BVH_GROUP invocations of the work group call, in uniform control flow
+// Stages     compute with storage buffers; gnoLightBvhCount and gnoLightBvhFirst hold barriers: all GNO_LIGHT_BVH_GROUP invocations of the work
+//            group call, in uniform control flow
 // Requires   #version 450, no extension, any subgroup width
 // Cost       8 rounds of sorting move 8 bytes per reference each; most of the 56 dispatches of the collapse are empty
 //
@@ -69,7 +76,8 @@ void gnoLightBvhBegin(uint references_) {
     GNO_LIGHT_BVH_HEADER.one2 = 1u;
     GNO_LIGHT_BVH_HEADER.one3 = 1u;
     for (uint face_ = 0u; face_ < 6u; ++face_) GNO_LIGHT_BVH_HEADER.roots[face_] = GNO_LIGHT_BVH_NONE;
-    for (uint level_ = 0u; level_ < GNO_LIGHT_BVH_LEVELS; ++level_) GNO_LIGHT_BVH_LEVEL_TABLE[level_] = GnoLightBvhLevel(level_ == 0u ? 1u : 0u, 1u, 1u, 0u, 0u);
+    for (uint level_ = 0u; level_ < GNO_LIGHT_BVH_LEVELS; ++level_)
+        GNO_LIGHT_BVH_LEVEL_TABLE[level_] = GnoLightBvhLevel(level_ == 0u ? 1u : 0u, 1u, 1u, 0u, 0u);
 }
 
 uint gnoLightBvhLength_() { return min(GNO_LIGHT_BVH_HEADER.references, GNO_LIGHT_BVH_CAPACITY); }
@@ -86,7 +94,8 @@ void gnoLightBvhEmit(uint caster_, uint faces_, GnoLightBvhCaster c_, uint at_) 
         uint low_, high_;
         gnoLightBvhBounds(GNO_LIGHT, GNO_LIGHT_BVH_GRID, face_, c_, low_, high_);
         if (at_ < GNO_LIGHT_BVH_CAPACITY) {
-            GNO_LIGHT_BVH_REFERENCES[at_] = GnoLightBvhBox(low_, high_, least_, GNO_LIGHT_BVH_LEAF | (c_.facing > 0 ? GNO_LIGHT_BVH_POSITIVE : 0u) | caster_);
+            GNO_LIGHT_BVH_REFERENCES[at_] =
+                GnoLightBvhBox(low_, high_, least_, GNO_LIGHT_BVH_LEAF | (c_.facing > 0 ? GNO_LIGHT_BVH_POSITIVE : 0u) | caster_);
             GNO_LIGHT_BVH_KEYS[at_] = gnoLightBvhKey(face_, low_, high_);
             GNO_LIGHT_BVH_ORDER[at_] = at_;
         }

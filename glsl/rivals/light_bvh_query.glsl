@@ -4,9 +4,12 @@
 //   bool gnoLightBvhQuery(GnoViewSample s)            true: s is in shadow. With a stack
 //   bool gnoLightBvhQueryStackless(GnoViewSample s)   the same by the parents' links
 //
-// Both go down from the root of the sample's face, into children that hold the sample's cell and do not lie farther from the light than it, and stop at the first caster that
-// shadows it. Cells are compared as integers and a child's least depth is a lower bound, so only casters that certainly do not shadow the sample are left out.
-// A leaf's caster is decided by core/decide.glsl: `certified` by its filtered exact signs, `conservative` in fp32. The sample's own caster is passed.
+// Both go down from the root of the sample's face, into children that hold the sample's cell and do not lie farther from the light than it, and stop
+// at the first caster that
+// shadows it. Cells are compared as integers and a child's least depth is a lower bound, so only casters that certainly do not shadow the sample are
+// left out.
+// A leaf's caster is decided by core/decide.glsl: `certified` by its filtered exact signs, `conservative` in fp32. The sample's own caster is
+// passed.
 // A full stack is counted and never written past: the query then starts again without a stack, so nothing is lost.
 //
 // Space      s.position on the scene grid, s.own the caster it lies on or GNO_NO_CASTER
@@ -51,7 +54,8 @@ bool gnoLightBvhShadows_(uint leaf_, GnoViewSample s_) {
     GNO_COUNT(visitedNodes, 1u);
     GNO_COUNT(exactCalls, 1u);
     GnoCaster t_ = GNO_LOAD_CASTER(caster_);
-    if (GNO_PRECISION == GNO_PRECISION_CERTIFIED) return gnoInShadowOfFacing(GNO_LIGHT, t_, s_.position, (leaf_ & GNO_LIGHT_BVH_POSITIVE) != 0u ? 1 : -1);
+    if (GNO_PRECISION == GNO_PRECISION_CERTIFIED)
+        return gnoInShadowOfFacing(GNO_LIGHT, t_, s_.position, (leaf_ & GNO_LIGHT_BVH_POSITIVE) != 0u ? 1 : -1);
     return gnoDecideInShadow(GNO_LIGHT, t_, s_.position, GNO_PRECISION);
 }
 

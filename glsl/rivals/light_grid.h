@@ -4,7 +4,8 @@
 //   uint gnoLightGridFirstSub(uint cells)                the first list of a sub cell: the cells' own lists come before it, in whole work groups
 //   uint gnoLightGridLists(uint cells, uint nests)       how many lists there are, with sub cells for `nests` cells
 //
-// The cells are those of forest/cells.h. A cell with many casters is divided into 8 x 8 sub cells, which are cells of a grid of eight times the resolution: what
+// The cells are those of forest/cells.h. A cell with many casters is divided into 8 x 8 sub cells, which are cells of a grid of eight times the
+// resolution: what
 // forest/cells.glsl derives holds for them as it does for the cells.
 //
 //   array     bytes                                 written by                          read by

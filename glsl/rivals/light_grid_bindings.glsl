@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // gnomon rivals/light_grid_bindings.glsl : our buffers of the lists; leave it out and define the macros yourself where your storage differs.
 //
-// Defines    GNO_LIGHT_GRID_LISTS, GNO_LIGHT_GRID_ITEMS, GNO_LIGHT_GRID_CAPACITY, GNO_LIGHT_GRID_LOAD_PLANE(index); without GNO_LIGHT_GRID_READ_ONLY also GNO_LIGHT_GRID_DEPTHS, GNO_LIGHT_GRID_NESTS and
+// Defines    GNO_LIGHT_GRID_LISTS, GNO_LIGHT_GRID_ITEMS, GNO_LIGHT_GRID_CAPACITY, GNO_LIGHT_GRID_LOAD_PLANE(index); without GNO_LIGHT_GRID_READ_ONLY
+//            also GNO_LIGHT_GRID_DEPTHS, GNO_LIGHT_GRID_NESTS and
 //            GNO_LIGHT_GRID_HEADER
 // Space      as light_grid.h
 // Stages     any with storage buffers
@@ -41,15 +42,21 @@
 #endif
 
 #if GNO_LIGHT_GRID_READ_ONLY
-layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_LISTS, std430) readonly buffer GnoLightGridListBuffer { GnoLightGridList v[]; } gnoGridLists;
-layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_ITEMS, std430) readonly buffer GnoLightGridItemBuffer { GnoLightGridItem v[]; } gnoGridItems;
-layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_PLANES, std430) readonly buffer GnoLightGridPlaneBuffer { vec4 v[]; } gnoGridPlanes;
+layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_LISTS, std430) readonly buffer GnoLightGridListBuffer { GnoLightGridList v[]; }
+gnoGridLists;
+layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_ITEMS, std430) readonly buffer GnoLightGridItemBuffer { GnoLightGridItem v[]; }
+gnoGridItems;
+layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_PLANES, std430) readonly buffer GnoLightGridPlaneBuffer { vec4 v[]; }
+gnoGridPlanes;
 #else
 layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_PLANES, std430) buffer GnoLightGridPlaneBuffer { vec4 v[]; } gnoGridPlanes;
-layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_LISTS, std430) buffer GnoLightGridListBuffer { GnoLightGridList v[]; } gnoGridLists;
-layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_ITEMS, std430) coherent buffer GnoLightGridItemBuffer { GnoLightGridItem v[]; } gnoGridItems;
+layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_LISTS, std430) buffer GnoLightGridListBuffer { GnoLightGridList v[]; }
+gnoGridLists;
+layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_ITEMS, std430) coherent buffer GnoLightGridItemBuffer { GnoLightGridItem v[]; }
+gnoGridItems;
 layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_DEPTHS, std430) buffer GnoLightGridDepthBuffer { uint v[]; } gnoGridDepths;
-layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_HEADER, std430) buffer GnoLightGridHeaderBuffer { GnoLightGridHeader v; } gnoGridHeader;
+layout(set = GNO_LIGHT_GRID_SET, binding = GNO_LIGHT_GRID_BINDING_HEADER, std430) buffer GnoLightGridHeaderBuffer { GnoLightGridHeader v; }
+gnoGridHeader;
 #define GNO_LIGHT_GRID_DEPTHS gnoGridDepths.v
 #define GNO_LIGHT_GRID_NESTS (uint(gnoGridDepths.v.length()) / GNO_LIGHT_GRID_GROUP)
 #define GNO_LIGHT_GRID_HEADER gnoGridHeader.v

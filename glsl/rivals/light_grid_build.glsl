@@ -1,18 +1,27 @@
 // SPDX-License-Identifier: MIT
-// gnomon rivals/light_grid_build.glsl : from pairs of cell and caster (forest/assign.glsl) to lists of casters; cells with many casters get sub cells.
+// gnomon rivals/light_grid_build.glsl : from pairs of cell and caster (forest/assign.glsl) to lists of casters; cells with many casters get sub
+// cells.
 //
 //   void gnoLightGridReset()                                                      1: one invocation, before open
-//   void gnoLightGridOpen(uint cell)                                              2: instead of gnoForestAllocate, which it calls; one invocation per cell
-//   void gnoLightGridSizes()                                                      3: group counts for the passes over pairs and lists; one invocation
-//   void gnoLightGridSeeSample(vec3 p)                                            4: sub cells know how far their view samples lie; one invocation per sample
-//   void gnoLightGridCount(uint cell, GnoCaster t, int facing)                    5: how many casters each sub cell keeps; one invocation per pair, as 7
+//   void gnoLightGridOpen(uint cell)                                              2: instead of gnoForestAllocate, which it calls; one invocation
+//   per cell
+//   void gnoLightGridSizes()                                                      3: group counts for the passes over pairs and lists; one
+//   invocation
+//   void gnoLightGridSeeSample(vec3 p)                                            4: sub cells know how far their view samples lie; one invocation
+//   per sample
+//   void gnoLightGridCount(uint cell, GnoCaster t, int facing)                    5: how many casters each sub cell keeps; one invocation per pair,
+//   as 7
 //   void gnoLightGridAllocate(uint list)                                          6: where its items go; one invocation per list
 //   void gnoLightGridEmit(uint cell, uint caster, GnoCaster t, int facing)        7: puts them there, in any order: light_grid_sort.glsl comes next
 //
-// Each step is a dispatch of its own. gnoForestEmit comes between 3 and 5; its pairs are not needed after 7. A caster is kept in a sub cell unless its volume certainly misses
-// it, or begins beyond its farthest view sample (with GNO_FOREST_VIEW_CULL; without it 4 has no use). What hides a whole sub cell is not looked for: it would leave out 1 % of
-// the items and shortens no walk, because the list is in order. 5 and 7 see the same sub cells, so a pool of header.items items is filled exactly; in a
-// smaller one the rest is left out and header.items tells: the lists are not complete then, and no query over them means anything. A cell that finds no
+// Each step is a dispatch of its own. gnoForestEmit comes between 3 and 5; its pairs are not needed after 7. A caster is kept in a sub cell unless
+// its volume certainly misses
+// it, or begins beyond its farthest view sample (with GNO_FOREST_VIEW_CULL; without it 4 has no use). What hides a whole sub cell is not looked for:
+// it would leave out 1 % of
+// the items and shortens no walk, because the list is in order. 5 and 7 see the same sub cells, so a pool of header.items items is filled exactly;
+// in a
+// smaller one the rest is left out and header.items tells: the lists are not complete then, and no query over them means anything. A cell that finds
+// no
 // room for its sub cells stays one list: longer, and right.
 //
 // Space      light coordinates; samples on the scene grid; facing = gnoFacing(light, t), never 0
@@ -104,7 +113,9 @@ GNO_INLINE GnoLightGridSpan_ gnoLightGridSpan_(uint cell_, uint first_, GnoFores
     return span_;
 }
 
-GNO_INLINE uint gnoLightGridSub_(GnoLightGridSpan_ span_, uvec2 at_) { return span_.first + 8u * (at_.y - span_.corner.y) + (at_.x - span_.corner.x); }
+GNO_INLINE uint gnoLightGridSub_(GnoLightGridSpan_ span_, uvec2 at_) {
+    return span_.first + 8u * (at_.y - span_.corner.y) + (at_.x - span_.corner.x);
+}
 
 GNO_INLINE bool gnoLightGridKeeps_(GnoForestGrid fine_, GnoLightGridSpan_ span_, uvec2 at_, GnoCellVolume v_) {
     uint farthest_ = GNO_LIGHT_GRID_DEPTHS[gnoLightGridSub_(span_, at_) - gnoLightGridFirstSub_()];

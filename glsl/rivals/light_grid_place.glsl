@@ -5,7 +5,8 @@
 //   uvec2 gnoLightGridPlace(vec4 light, GnoForestGrid grid, vec3 q)          x: the cell, y: which of its 8 x 8 sub cells, row by row
 //   uvec3 gnoLightGridAt(GnoForestGrid grid, uint cell)                      of a cell: column, row, face
 //
-// A sub cell belongs to the cell that the same point is filed in: steps and resolutions differ by a power of two, so the quotient that is rounded down to an index is
+// A sub cell belongs to the cell that the same point is filed in: steps and resolutions differ by a power of two, so the quotient that is rounded
+// down to an index is
 // eight times the cell's, exactly, and the cell's index is the sub cell's divided by eight, whatever the rounding was; clamping keeps that.
 //
 // Space      light coordinates, q = gnoFromLight(p)

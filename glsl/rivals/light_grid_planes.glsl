@@ -5,7 +5,8 @@
 //   float gnoLightGridSide(vec4 light, vec4 plane, vec3 q)                       of a lateral plane: > 0 outside
 //   float gnoLightGridReach(vec4 light, vec4 plane)                              from the plane at place 0: the caster's largest gnoLightScale
 //
-// A lateral plane of a point light passes through it and has no offset: the one at place 0 keeps the reach in its place. A plane that fp32 cannot tell is zero
+// A lateral plane of a point light passes through it and has no offset: the one at place 0 keeps the reach in its place. A plane that fp32 cannot
+// tell is zero
 // (top/plane.glsl, 1): every point lies in its band.
 //
 // Space      positions on the scene grid; q = gnoFromLight(p); facing = gnoFacing(light, t), never 0
@@ -28,7 +29,9 @@ GNO_INLINE vec4 gnoLightGridPlane(vec4 light_, GnoCaster t_, int facing_, uint p
     return plane_;
 }
 
-GNO_INLINE float gnoLightGridSide(vec4 light_, vec4 plane_, vec3 q_) { return gnoTopSide(vec4(vec3(plane_), light_.w != 0.0f ? 0.0f : plane_.w), q_); }
+GNO_INLINE float gnoLightGridSide(vec4 light_, vec4 plane_, vec3 q_) {
+    return gnoTopSide(vec4(vec3(plane_), light_.w != 0.0f ? 0.0f : plane_.w), q_);
+}
 
 GNO_INLINE float gnoLightGridReach(vec4 light_, vec4 plane_) { return light_.w != 0.0f ? plane_.w : 0.0f; }
 

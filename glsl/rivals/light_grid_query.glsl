@@ -3,9 +3,12 @@
 //
 //   bool gnoLightGridQuery(GnoViewSample s)      true: s is in shadow
 //
-// A sample in a closed cell can be shadowed only by casters whose volumes meet it, and by none that begins beyond it: the list holds the first (forest/cells.glsl, 1 to 5),
-// in order of a lower bound of their depths (top/plane.glsl, 7), so the walk ends at the first that begins beyond. Each caster before it is decided by the definition itself
-// (certified; core/orient3d.glsl), or by the same signs in fp32 (conservative; core/decide.glsl). The sample's own caster never shadows it. With GNO_LIGHT_GRID_PLANES its four
+// A sample in a closed cell can be shadowed only by casters whose volumes meet it, and by none that begins beyond it: the list holds the first
+// (forest/cells.glsl, 1 to 5),
+// in order of a lower bound of their depths (top/plane.glsl, 7), so the walk ends at the first that begins beyond. Each caster before it is decided
+// by the definition itself
+// (certified; core/orient3d.glsl), or by the same signs in fp32 (conservative; core/decide.glsl). The sample's own caster never shadows it. With
+// GNO_LIGHT_GRID_PLANES its four
 // planes are asked first, and the definition only in their bands (top/plane.glsl, 2, 4 and 5; nothing is routed by them, so no margin is needed).
 //
 // Space      s.position on the scene grid, s.own the caster it lies on or GNO_NO_CASTER

@@ -3,16 +3,21 @@
 //
 //   void gnoLightGridSort(uint group, uint lane)      lists 64 group .. 64 group + 63; all 64 invocations of a work group call it, lane 0 .. 63
 //
-// A short list is sorted by one invocation, by insertion with shrinking gaps; a longer one by the whole work group: blocks of 512 items in shared memory (runs of eight by insertion, then merges
-// in which each item finds its place in the other run by bisection), and above that in place by Batcher's bitonic merges, in the form in which every comparison puts the
-// smaller item first, so that a list whose length is no power of two needs nothing at its end (comparisons with what is not there are left out). A caster is
+// A short list is sorted by one invocation, by insertion with shrinking gaps; a longer one by the whole work group: blocks of 512 items in shared
+// memory (runs of eight by insertion, then merges
+// in which each item finds its place in the other run by bisection), and above that in place by Batcher's bitonic merges, in the form in which every
+// comparison puts the
+// smaller item first, so that a list whose length is no power of two needs nothing at its end (comparisons with what is not there are left out). A
+// caster is
 // once in a list, so the order is total and the lists do not depend on the order in which their items came.
 //
 // Space      none: no positions
 // Stages     compute, work groups of 64; it holds barriers: all invocations of the work group call it
 // Requires   #version 450, no extension
-// Reads      lists; writes items. What one invocation writes another one of the group reads after memoryBarrierBuffer() and barrier(); the items must be `coherent`
-// Cost       n items: up to GNO_LIGHT_GRID_SHORT, fewer than n^2 / 4 steps of one invocation; up to 512, n (log2 n)^2 / 128 of each of the group's; above, (log2(n / 512))^2 n / 256
+// Reads      lists; writes items. What one invocation writes another one of the group reads after memoryBarrierBuffer() and barrier(); the items
+//            must be `coherent`
+// Cost       n items: up to GNO_LIGHT_GRID_SHORT, fewer than n^2 / 4 steps of one invocation; up to 512, n (log2 n)^2 / 128 of each of the group's;
+//            above, (log2(n / 512))^2 n / 256
 //            more; 8 KiB of shared memory
 //
 // Macro                     required  default  meaning
@@ -135,7 +140,8 @@ void gnoLightGridSortBlock_(uint first_, uint count_, uint lane_) {
 }
 
 void gnoLightGridSortTogether_(uint first_, uint count_, uint lane_) {
-    for (uint at_ = 0u; at_ < count_; at_ += GNO_LIGHT_GRID_BLOCK_) gnoLightGridSortBlock_(first_ + at_, min(GNO_LIGHT_GRID_BLOCK_, count_ - at_), lane_);
+    for (uint at_ = 0u; at_ < count_; at_ += GNO_LIGHT_GRID_BLOCK_)
+        gnoLightGridSortBlock_(first_ + at_, min(GNO_LIGHT_GRID_BLOCK_, count_ - at_), lane_);
     uint half_ = 1u << findMSB(count_ - 1u);  // 2 half: the power of two that is not below count
     for (uint size_ = GNO_LIGHT_GRID_BLOCK_; size_ <= half_; size_ *= 2u) {
         gnoLightGridRound_(first_, count_, half_, size_, true, lane_);

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
-// gnomon rivals/ray_query.glsl : is a point in shadow? A ray towards the light, asked of the device's own acceleration structure (GLSL_EXT_ray_query).
+// gnomon rivals/ray_query.glsl : is a point in shadow? A ray towards the light, asked of the device's own acceleration structure
+// (GLSL_EXT_ray_query).
 //
 //   bool gnoRayQueryInShadow(GnoViewSample s)      true: the ray meets a caster other than s.own
 //
-// The ray runs from the sample to the light, with the unnormalised direction to a point light and t from 0 to the last fp32 number below 1, or along a direction with t
-// from 0 to 8 (the grid's cube is left by t = 4.1). It ends at the first caster that is not the sample's own; the own one is passed, so every triangle is a candidate
+// The ray runs from the sample to the light, with the unnormalised direction to a point light and t from 0 to the last fp32 number below 1, or along
+// a direction with t
+// from 0 to 8 (the grid's cube is left by t = 4.1). It ends at the first caster that is not the sample's own; the own one is passed, so every
+// triangle is a candidate
 // that the loop confirms or not, whatever its geometry's flags. There is no bias: a view sample already lies off its own plane.
-// The device decides in fp32, by a test that Vulkan leaves to the driver: near an edge or a tie it may differ from the definition (README "What in shadow means"). Nothing is
+// The device decides in fp32, by a test that Vulkan leaves to the driver: near an edge or a tie it may differ from the definition (README "What in
+// shadow means"). Nothing is
 // certified here; the rung is `published`.
 //
-// Space      s.position on the scene grid, s.own the caster it lies on or GNO_NO_CASTER; the structure holds the casters on the same grid, untransformed
+// Space      s.position on the scene grid, s.own the caster it lies on or GNO_NO_CASTER; the structure holds the casters on the same grid,
+//            untransformed
 // Stages     any with ray queries; no barrier, no shared memory, may diverge
 // Requires   #version 460, #extension GL_EXT_ray_query, SPIR-V 1.4; rayQuery and accelerationStructure
 // Reads      the acceleration structure through GNO_RAY_QUERY_STRUCTURE; writes nothing; declares no binding
@@ -36,7 +41,8 @@ bool gnoRayQueryInShadow(GnoViewSample s_) {
     if (towards_ == vec3(0.0)) return false;  // at the light
     float end_ = light_.w == 0.0 ? 8.0 : 0.999999940395355224609375;
     rayQueryEXT query_;
-    rayQueryInitializeEXT(query_, GNO_RAY_QUERY_STRUCTURE, gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsNoOpaqueEXT, 0xFFu, s_.position, 0.0, towards_, end_);
+    rayQueryInitializeEXT(query_, GNO_RAY_QUERY_STRUCTURE, gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsNoOpaqueEXT, 0xFFu, s_.position, 0.0,
+                          towards_, end_);
     GNO_COUNT(rays, 1u);
     while (rayQueryProceedEXT(query_)) {
         GNO_COUNT(candidates, 1u);

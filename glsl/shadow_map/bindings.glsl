@@ -27,12 +27,17 @@
 #define GNO_SHADOW_MAP_MEASURES 0
 #endif
 
-layout(set = GNO_SHADOW_MAP_SET, binding = GNO_SHADOW_MAP_BINDING_VIEWS, std430) readonly buffer GnoShadowMapViewBuffer { GnoShadowMapHeader header; GnoShadowMapView v[]; } gnoShadowMapViews;
+layout(set = GNO_SHADOW_MAP_SET, binding = GNO_SHADOW_MAP_BINDING_VIEWS, std430) readonly buffer GnoShadowMapViewBuffer {
+    GnoShadowMapHeader header;
+    GnoShadowMapView v[];
+}
+gnoShadowMapViews;
 #define GNO_SHADOW_MAP_VIEW_COUNT gnoShadowMapViews.header.viewCount
 #define GNO_SHADOW_MAP_SIZE gnoShadowMapViews.header.size
 #define GNO_SHADOW_MAP_LOAD_VIEW(index_) gnoShadowMapViews.v[index_]
 #if GNO_SHADOW_MAP_MEASURES
-layout(set = GNO_SHADOW_MAP_SET, binding = GNO_SHADOW_MAP_BINDING_BOUNDS, std430) coherent buffer GnoShadowMapBoundsBuffer { uint v[]; } gnoShadowMapBounds;
+layout(set = GNO_SHADOW_MAP_SET, binding = GNO_SHADOW_MAP_BINDING_BOUNDS, std430) coherent buffer GnoShadowMapBoundsBuffer { uint v[]; }
+gnoShadowMapBounds;
 #define GNO_SHADOW_MAP_BOUNDS gnoShadowMapBounds.v
 #endif
 #endif

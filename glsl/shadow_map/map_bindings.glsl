@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// gnomon shadow_map/map_bindings.glsl : our shadow map for shaders that read it; leave it out and define GNO_SHADOW_MAP_LOAD_DEPTH yourself where your storage differs.
+// gnomon shadow_map/map_bindings.glsl : our shadow map for shaders that read it; leave it out and define GNO_SHADOW_MAP_LOAD_DEPTH yourself where
+// your storage differs.
 //
 // Defines    GNO_SHADOW_MAP_LOAD_DEPTH
 // Space      none: depths

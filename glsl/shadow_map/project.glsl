@@ -5,7 +5,8 @@
 //   bool gnoShadowMapHolds(vec4 clip)                          the view's pyramid, or its prism, holds the point; edges belong to it
 //   uvec2 gnoShadowMapTexel(vec4 clip, uint size)              the texel it lies in, of a map of size x size
 //   float gnoShadowMapDepth(GnoShadowMapView view, vec4 clip)  what is compared with that texel, constant bias included; never below 0
-//   bool gnoShadowMapDraws(uint state, uint faces)             is a caster drawn? `state` of core/caster_state.glsl; edge-on and culled ones never are
+//   bool gnoShadowMapDraws(uint state, uint faces)             is a caster drawn? `state` of core/caster_state.glsl; edge-on and culled ones never
+//   are
 //
 // Space      as view.h
 // Stages     any; pure

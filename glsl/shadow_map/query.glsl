@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// gnomon shadow_map/query.glsl : is a view sample in shadow by the shadow map? An approximation: the caster nearest to the light at the centre of a texel answers for
-// all of the texel, so edges are as wrong as texels are wide, and surfaces darken themselves unless a bias moves them away. No filter: the question has two answers.
+// gnomon shadow_map/query.glsl : is a view sample in shadow by the shadow map? An approximation: the caster nearest to the light at the centre of a
+// texel answers for
+// all of the texel, so edges are as wrong as texels are wide, and surfaces darken themselves unless a bias moves them away. No filter: the question
+// has two answers.
 //
 //   bool gnoShadowMapQuery(GnoViewSample s)          asks the first view that holds the sample; none: lit. s.own is not looked at
 //
-// Bias: the caller draws the map with depth bias (vkCmdSetDepthBias) of slope factor -b: the depth that a caster's plane has b texels further along its steepest
-// axis. A sample and the centre of its texel are half a texel apart along either axis, so 1 texel keeps a plane from darkening itself but for rounding: half the
+// Bias: the caller draws the map with depth bias (vkCmdSetDepthBias) of slope factor -b: the depth that a caster's plane has b texels further along
+// its steepest
+// axis. A sample and the centre of its texel are half a texel apart along either axis, so 1 texel keeps a plane from darkening itself but for
+// rounding: half the
 // slope along x and half the slope along y make at most the larger slope. The constant part is in the views (gnoShadowMapConstantBias).
 //
 // Space      sample on the scene grid

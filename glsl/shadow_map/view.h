@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
-// gnomon shadow_map/view.h : one view of a shadow map: a projection of everything the light sees, or of a part; read by glslang and by C++20 (namespace gno).
-// After Williams, "Casting Curved Shadows on Curved Surfaces", SIGGRAPH 1978; fitting to the view samples as Lauritzen, Salvi, Lefohn, "Sample Distribution
+// gnomon shadow_map/view.h : one view of a shadow map: a projection of everything the light sees, or of a part; read by glslang and by C++20
+// (namespace gno).
+// After Williams, "Casting Curved Shadows on Curved Surfaces", SIGGRAPH 1978; fitting to the view samples as Lauritzen, Salvi, Lefohn, "Sample
+// Distribution
 // Shadow Maps", I3D 2011.
 //
-// Space      q = gnoFromLight(light, p) of core/light.glsl, p on the scene grid; clip coordinates as Vulkan has them (y down, depth 0 .. 1), depth reversed:
+// Space      q = gnoFromLight(light, p) of core/light.glsl, p on the scene grid; clip coordinates as Vulkan has them (y down, depth 0 .. 1), depth
+//            reversed:
 //            1 is nearest to the light, what is cleared is 0
 // Stages     any
 // Requires   #version 450, no extension
 //
 //   GnoShadowMapView gnoShadowMapPerspective(vec3 right, vec3 down, vec3 forward, vec4 rect)
-//        from the light along `forward`; unit vectors; rect: least and largest slope to the right, then downwards (tangents; a cube's face is -1, 1, -1, 1)
+//        from the light along `forward`; unit vectors; rect: least and largest slope to the right, then downwards (tangents; a cube's face is -1, 1,
+//        -1, 1)
 //   GnoShadowMapView gnoShadowMapOrthographic(vec3 right, vec3 down, vec3 forward, vec4 rect, float near, float far)
 //        for a light at infinity; forward away from the light; rect: the same in grid units; near, far: along `forward`
 //   GnoShadowMapView gnoShadowMapConstantBias(GnoShadowMapView view, float texels, float size)
@@ -17,9 +21,12 @@
 //   vec4 gnoShadowMapFit(uvec4 measured, vec4 rect)
 //        the part of `rect` that holds the samples that shadow_map/fit.glsl measured, and a margin of 1/1024 of it; measured.x 0: there is none
 //
-// Perspective depth is GNO_SHADOW_MAP_NEAR / w with w the distance along `forward`: no far plane, and in fp32 the same relative step at every distance, so the near
-// plane may stand so close to the light that all casters between light and samples are drawn: no depth clamp. Orthographic depth is (far - t) / (far - near), t along
-// `forward`; near is that of the caster nearest to the light. A sample beyond far has a depth below 0 and is compared as 0: whatever was drawn is nearer.
+// Perspective depth is GNO_SHADOW_MAP_NEAR / w with w the distance along `forward`: no far plane, and in fp32 the same relative step at every
+// distance, so the near
+// plane may stand so close to the light that all casters between light and samples are drawn: no depth clamp. Orthographic depth is (far - t) / (far
+// - near), t along
+// `forward`; near is that of the caster nearest to the light. A sample beyond far has a depth below 0 and is compared as 0: whatever was drawn is
+// nearer.
 #ifndef GNO_SHADOW_MAP_VIEW_H
 #define GNO_SHADOW_MAP_VIEW_H
 #include "../core/shared_types.h"
@@ -37,7 +44,8 @@ struct GnoShadowMapView {  // std140 and std430, 80 bytes
     vec4 y;                // 16
     vec4 z;                // 32
     vec4 w;                // 48
-    vec4 bias;             // 64  a sample's depth is clip.z / clip.w * bias.x + bias.y; z: the wider side of rect; w: depth per grid unit, 0 perspective
+    // 64  a sample's depth is clip.z / clip.w * bias.x + bias.y; z: the wider side of rect; w: depth per grid unit, 0 perspective
+    vec4 bias;
 };
 GNO_STRUCT_SIZE(GnoShadowMapView, 80)
 GNO_STRUCT_OFFSET(GnoShadowMapView, bias, 64)
@@ -74,7 +82,8 @@ GNO_INLINE GnoShadowMapView gnoShadowMapOrthographic(vec3 right_, vec3 down_, ve
     return view_;
 }
 
-// A texel is width / size wide, orthographic; perspective: that times w. So w becomes w (1 - texels width / size), or t becomes t - texels width / size.
+// A texel is width / size wide, orthographic; perspective: that times w. So w becomes w (1 - texels width / size), or t becomes t - texels width /
+// size.
 GNO_INLINE GnoShadowMapView gnoShadowMapConstantBias(GnoShadowMapView view_, float texels_, float size_) {
     float step_ = texels_ * view_.bias.z / size_;
     if (view_.bias.w > 0.0f) view_.bias.y = step_ * view_.bias.w;
@@ -83,7 +92,8 @@ GNO_INLINE GnoShadowMapView gnoShadowMapConstantBias(GnoShadowMapView view_, flo
 }
 
 GNO_INLINE vec4 gnoShadowMapFit(uvec4 measured_, vec4 rect_) {
-    vec4 at_ = vec4(GNO_SHADOW_MAP_STEPS - float(measured_.x - 1u), float(measured_.y - 1u), GNO_SHADOW_MAP_STEPS - float(measured_.z - 1u), float(measured_.w - 1u));
+    vec4 at_ = vec4(GNO_SHADOW_MAP_STEPS - float(measured_.x - 1u), float(measured_.y - 1u), GNO_SHADOW_MAP_STEPS - float(measured_.z - 1u),
+                    float(measured_.w - 1u));
     float x_ = (at_.y - at_.x) / 1024.0f + 4.0f;  // steps: the measured positions are rounded down by up to one
     float y_ = (at_.w - at_.z) / 1024.0f + 4.0f;
     float right_ = (rect_.y - rect_.x) / GNO_SHADOW_MAP_STEPS;

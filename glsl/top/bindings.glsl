@@ -3,12 +3,14 @@
 //
 //   GnoTopNode gnoTopLoadNode(uint index)     what GNO_TOP_LOAD_NODE(index) is then
 //
-// Defines    GNO_TOP_PLANES (not with GNO_TOP_BIND_PLANES 0), GNO_TOP_LINKS, GNO_TOP_HEADER (for build.glsl), GNO_TOP_SLABS and GNO_TOP_LOAD_SLAB with GNO_TOP_BIND_SLABS 1; GNO_TOP_ROOT, GNO_TOP_LOAD_NODE, GNO_TOP_LOAD_ANCESTOR,
+// Defines    GNO_TOP_PLANES (not with GNO_TOP_BIND_PLANES 0), GNO_TOP_LINKS, GNO_TOP_HEADER (for build.glsl), GNO_TOP_SLABS and GNO_TOP_LOAD_SLAB
+//            with GNO_TOP_BIND_SLABS 1; GNO_TOP_ROOT, GNO_TOP_LOAD_NODE, GNO_TOP_LOAD_ANCESTOR,
 //            GNO_TOP_LOAD_FLAGS (for the queries)
 // Space      planes in the coordinates of gnoFromLight (core/light.glsl)
 // Stages     any with storage buffers; a build needs them writable (fragment stage: fragmentStoresAndAtomics)
 // Requires   #version 450, no extension. Include before build.glsl or a query; leave it out where your storage differs. Where you give
-//            GNO_TOP_STORE_PLANES or GNO_TOP_BIND_PLANES 0, the macros of the last four rows come before this file, too (core/bindings.glsl for the casters)
+//            GNO_TOP_STORE_PLANES or GNO_TOP_BIND_PLANES 0, the macros of the last four rows come before this file, too (core/bindings.glsl for the
+//            casters)
 //
 // Macro                   required  default  meaning
 // GNO_TOP_SET             no        1        descriptor set of all

@@ -13,15 +13,23 @@
 //
 // What differs from the paper, but for `published`:
 // - Margins (plane.glsl): a caster goes to one side only when its whole volume certainly does.
-// - A cap has no intersection child. A point that is not in the owner's shadow would visit both it and the positive child, always; one subtree is cheaper than two.
-// - Touching (`certified`). A caster's vertex that is also an end point of the plane's own edge (cap: a vertex of the owner) lies on the plane exactly; it counts as neither
-//   side, so a neighbour in a mesh goes to the side of its other vertices instead of to the intersection child. The queries then route by the exact sign of
-//   the owner's plane inside the band: lateral zero goes negative, cap zero positive (visit.glsl). This is safe. Let p be in the volume of a caster T in the
-//   - lateral, positive child: p is a sum of T's vertices with weights >= 0, their exact sides are > 0 or, touching, 0. If p's is > 0, p is routed to T. If it is 0, p
-//     lies in the cone over touching vertices alone: beyond a point x of the owner's own edge, strictly, because p is strictly behind T. x belongs to the owner, p is in the
-//     owner's closed cone and strictly behind it: the owner shadows p, and the negative route finds it. (A sample that lies on the owner is in front of it, never behind x.)
+// - A cap has no intersection child. A point that is not in the owner's shadow would visit both it and the positive child, always; one subtree is
+// cheaper than two.
+// - Touching (`certified`). A caster's vertex that is also an end point of the plane's own edge (cap: a vertex of the owner) lies on the plane
+// exactly; it counts as neither
+//   side, so a neighbour in a mesh goes to the side of its other vertices instead of to the intersection child. The queries then route by the exact
+//   sign of
+//   the owner's plane inside the band: lateral zero goes negative, cap zero positive (visit.glsl). This is safe. Let p be in the volume of a caster
+//   T in the
+//   - lateral, positive child: p is a sum of T's vertices with weights >= 0, their exact sides are > 0 or, touching, 0. If p's is > 0, p is routed
+//   to T. If it is 0, p
+//     lies in the cone over touching vertices alone: beyond a point x of the owner's own edge, strictly, because p is strictly behind T. x belongs
+//     to the owner, p is in the
+//     owner's closed cone and strictly behind it: the owner shadows p, and the negative route finds it. (A sample that lies on the owner is in front
+//     of it, never behind x.)
 //   - lateral, negative child: p's exact side is <= 0, and p is routed there.
-//   - cap, dropped T: T is in the owner's closed cone, its vertices are behind the cap or on it; p = L + sum l_i (v_i - L) with sum l_i > 1 (strictly behind T) and the
+//   - cap, dropped T: T is in the owner's closed cone, its vertices are behind the cap or on it; p = L + sum l_i (v_i - L) with sum l_i > 1
+//   (strictly behind T) and the
 //     light is in front, so p's side is < 0: the owner shadows p. The same holds towards infinity.
 //
 // Space      casters on the scene grid; facing = gnoFacing(light, caster), exact
@@ -31,16 +39,19 @@
 // Writes     planes where they are kept, links, header; slabs where there are any
 // Cost       20 steps per caster and an atomic per step, about (random order, 100,000 casters)
 //
-// With GNO_TOP_STORE_PLANES 0 a volume takes 64 bytes, not 128: its links. Each step then computes the node's plane anew from its owner's vertices and flags (gnoTopPlane in
+// With GNO_TOP_STORE_PLANES 0 a volume takes 64 bytes, not 128: its links. Each step then computes the node's plane anew from its owner's vertices
+// and flags (gnoTopPlane in
 // plane.glsl), with the same bits, so it is the same tree.
 //
 // Macro                     required  default                   meaning
 // GNO_TOP_PLANES            yes       -                         array of vec4, 4 per caster; not where GNO_TOP_STORE_PLANES is 0
-// GNO_TOP_STORE_PLANES      no        1                         0: planes are not kept, the queries have to compute them as well; may be a specialization constant where
+// GNO_TOP_STORE_PLANES      no        1                         0: planes are not kept, the queries have to compute them as well; may be a
+//                                                               specialization constant where
 //                                                               there is GNO_TOP_PLANES, which then is left alone
 // GNO_TOP_LINKS             yes       -                         array of GnoTopLink in a storage buffer, 4 per caster
 // GNO_TOP_HEADER            yes       -                         GnoTopHeader in a storage buffer; not where GNO_TOP_ROOT_OF is given
-// GNO_TOP_SLABS             no        -                         array of GnoTopSlab in a storage buffer, 4 per caster: bounds of the children, for the queries; not for `published`
+// GNO_TOP_SLABS             no        -                         array of GnoTopSlab in a storage buffer, 4 per caster: bounds of the children, for
+//                                                               the queries; not for `published`
 // GNO_TOP_SLAB              no        1                         with GNO_TOP_SLABS: 0: leave it alone; may be a specialization constant
 // GNO_TOP_ROOT_OF(block)    no        GNO_TOP_HEADER.root       uint in a storage buffer: the root of the tree that block belongs to
 // GNO_TOP_CASTER_OF(block)  no        (block)                   the caster of a block
@@ -207,7 +218,8 @@ GNO_INLINE bool gnoTopInsert(uint block_) {
             uint flags_ = GNO_TOP_LINKS[(node_ & ~3u) + 2u].aux;  // written in dispatch 1 only
             if ((flags_ & (GNO_TOP_SUBSTITUTE << (node_ & 3u))) == 0u) {
                 GnoCaster owner_ = GNO_LOAD_CASTER(GNO_TOP_CASTER_OF(node_ >> 2));
-                neither_ = bvec3(gnoTopTouches_(t_.a, owner_, node_ & 3u), gnoTopTouches_(t_.b, owner_, node_ & 3u), gnoTopTouches_(t_.c, owner_, node_ & 3u));
+                neither_ = bvec3(gnoTopTouches_(t_.a, owner_, node_ & 3u), gnoTopTouches_(t_.b, owner_, node_ & 3u),
+                                 gnoTopTouches_(t_.c, owner_, node_ & 3u));
                 sides_ = vec3(neither_.x ? 0.0f : sides_.x, neither_.y ? 0.0f : sides_.y, neither_.z ? 0.0f : sides_.z);
             }
         }
@@ -223,7 +235,8 @@ GNO_INLINE bool gnoTopInsert(uint block_) {
             }
 #ifdef GNO_TOP_SLABS
             if (slab_ && cap_) gnoTopWidenPositive_(node_, sides_, scales_, depth_, spread_);
-            if (slab_ && !cap_) atomicMax(GNO_TOP_SLABS[node_].negative, floatBitsToUint(gnoTopNegative(GNO_LIGHT, sides_, scales_, depth_, spread_)));
+            if (slab_ && !cap_)
+                atomicMax(GNO_TOP_SLABS[node_].negative, floatBitsToUint(gnoTopNegative(GNO_LIGHT, sides_, scales_, depth_, spread_)));
 #endif
             node_ = cap_ ? atomicCompSwap(GNO_TOP_LINKS[node_].positiveChild, GNO_TOP_NONE, first_) : node_ + 1u;
         } else if (above_) {

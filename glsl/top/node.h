@@ -12,7 +12,8 @@
 // holds 2,097,152 casters, and what never changes is apart from what the build changes.
 //
 //   array    bytes        written by                       read by
-//   planes   64 n         set-up                           build, queries; or there are none, and both compute them anew (GNO_TOP_STORE_PLANES 0 in build.glsl)
+//   planes   64 n         set-up                           build, queries; or there are none, and both compute them anew (GNO_TOP_STORE_PLANES 0 in
+//   build.glsl)
 //   links    64 n         set-up; build (atomics only)     build (atomics only), queries
 //   slabs    64 n         set-up; build (atomics only)     queries; only where there are any (GNO_TOP_SLABS in build.glsl)
 //   header   16           set-up; build (atomics only)     queries
@@ -52,7 +53,8 @@ struct GnoTopHeader {        // std430, 16 bytes
 };
 GNO_STRUCT_SIZE(GnoTopHeader, 16)
 
-struct GnoTopSlab {          // std430, 16 bytes: what a node knows of its children, so that one which cannot matter is not loaded; bounds as in plane.glsl, 9
+// std430, 16 bytes: what a node knows of its children, so that one which cannot matter is not loaded; bounds as in plane.glsl, 9
+struct GnoTopSlab {
     uint positive;           //  0  the positive child's volumes lie between two numbers: gnoTopPositive. Unused in a cap
     uint negative;           //  4  float bits of gnoTopNegative over the owner and all behind its next plane. Unused in a cap
     uint positiveDepth;      //  8  least depth of the casters in the positive child, float bits
@@ -77,7 +79,9 @@ constexpr uint topGroupCount(uint casterCount) { return (casterCount + kTopGroup
 constexpr std::uint64_t topPlaneBytes(std::uint64_t casterCount) { return 64 * (casterCount > 0 ? casterCount : 1); }
 constexpr std::uint64_t topLinkBytes(std::uint64_t casterCount) { return 64 * (casterCount > 0 ? casterCount : 1); }
 constexpr std::uint64_t topSlabBytes(std::uint64_t casterCount) { return 64 * (casterCount > 0 ? casterCount : 1); }
-constexpr std::uint64_t topTreeBytes(std::uint64_t casterCount) { return topPlaneBytes(casterCount) + topLinkBytes(casterCount) + sizeof(GnoTopHeader); }
+constexpr std::uint64_t topTreeBytes(std::uint64_t casterCount) {
+    return topPlaneBytes(casterCount) + topLinkBytes(casterCount) + sizeof(GnoTopHeader);
+}
 #endif
 
 GNO_NAMESPACE_END

@@ -3,21 +3,26 @@
 // After Mora et al., EGSR 2016, section 3.1 (figure 2); margins, bands and bounds are this project's, derived below.
 //
 //   vec4  gnoTopLateralPlane(vec4 light, vec3 a, vec3 b, int facing, uint precision)   through the light and edge ab; inside is negative
-//   bool  gnoTopSubstitute(vec4 light, GnoCaster t, uint place, out vec4 plane)        for a lateral plane that fp32 cannot tell: one that only routes (8)
+//   bool  gnoTopSubstitute(vec4 light, GnoCaster t, uint place, out vec4 plane)        for a lateral plane that fp32 cannot tell: one that only
+//   routes (8)
 //   vec4  gnoTopCapPlane(vec4 light, GnoCaster t, int facing, uint precision)          the caster's own plane; the light's side is positive
-//   vec4  gnoTopPlane(vec4 light, GnoCaster t, uint place, uint flags, uint precision) whichever of the three node `place` of t's volume has; flags as in node.h
+//   vec4  gnoTopPlane(vec4 light, GnoCaster t, uint place, uint flags, uint precision) whichever of the three node `place` of t's volume has; flags
+//   as in node.h
 //   float gnoTopSide(vec4 plane, vec3 q)                   > 0: positive side
 //   float gnoTopBand(vec4 light, bool cap, float scale, float reach)       |side| <= band: the sign is not certain
 //   float gnoTopMargin(vec4 light, bool cap, float scale, float reach)     |side| > margin at all three vertices: so is the whole volume
 //   float gnoTopLeastDepth(vec4 light, GnoCaster t)        lower bound of gnoLightDepth over the caster, rounding included
 //   float gnoTopPublishedDepth(vec4 light, GnoCaster t)    the paper's: fp32, not a bound
 //   float gnoTopSpread(vec4 light, vec3 q0, vec3 q1, vec3 q2)              see gnoTopWedge
-//   uint  gnoTopWedge(...)                                 upper bounds of side(q) / scale(q) and -side(q) / scale(q) over the caster's volume, rounding
-//                                                          included: the upper halves of their float bits, rounded up, the positive side's in the high half.
+//   uint  gnoTopWedge(...)                                 upper bounds of side(q) / scale(q) and -side(q) / scale(q) over the caster's volume,
+//   rounding
+//                                                          included: the upper halves of their float bits, rounded up, the positive side's in the
+//                                                          high half.
 //                                                          `published`: the float bits of the largest sine of a vertex
 //   uint  gnoTopWidest(uint a, uint b)                     the wedge that holds both (not for `published`: there it is the maximum of two uints)
 //   bool  gnoTopInWedge(uint wedge, float side, float scale, uint precision)       false: certainly outside
-//   uint  gnoTopPositive(...)                              bounds of side(q) / scale(q) over the volume of a caster on the positive side, from both ends (9)
+//   uint  gnoTopPositive(...)                              bounds of side(q) / scale(q) over the volume of a caster on the positive side, from both
+//   ends (9)
 //   float gnoTopNegative(...)                              upper bound of -side(q) / scale(q) over the volume of a caster on the negative side
 //   bool  gnoTopInPositive(uint positive, float side, float scale)                 false: certainly outside
 //
@@ -25,8 +30,10 @@
 // Stages     any; pure
 // Requires   #version 450, no extension
 //
-// The constants hold for the expressions as written, componentwise, without contraction. gnoTopPlane's plane has to have the same bits each time it is asked for (the margin
-// of 3 is for one stored n): a plane's products that are added up are `precise`; one compiler is taken to divide and to draw a root alike in each of its shaders.
+// The constants hold for the expressions as written, componentwise, without contraction. gnoTopPlane's plane has to have the same bits each time it
+// is asked for (the margin
+// of 3 is for one stored n): a plane's products that are added up are `precise`; one compiler is taken to divide and to draw a root alike in each of
+// its shaders.
 // u = GNO_ULP = 2^-23 bounds the relative error of one
 // operation in any rounding mode, E = GNO_BAND = 8u. Grid coordinates keep every product far above the smallest normal number but for
 // cross products of tiny edges: planes of length below 2^-50 count as garbage, so flushed denormals cost nothing but certainty.
@@ -36,35 +43,56 @@
 //    |m - N| <= 5.7u |r||e| <= err = 8u |r||e|, N the exact normal. Stored is n = m / (len kappa), kappa = (err/len + E) / E, len = |m|.
 // 2. Band, point light, lateral plane (passes through the light, offset 0). side = fl(n.q) errs by 3u|n||q| (products and sums), u|n||q| (q is
 //    rounded), u|n||q| (n's components are rounded): 5u|q|/kappa. So |side kappa len - N.q| <= (err/len + 5u) |q| len, and if the exact sign is
-//    not that of side, |side| <= (err/len + 5u)|q|/kappa < E|q|. The slack (3u, and 5.7 against 8 in err) covers len, kappa, and the band's own product.
-// 3. Margin, point light, lateral. All vertices have side > 3E|v|, hence exactly n.v > (3E - 5u)|v|. A point of the volume is q = sum l_i v_i, l_i >= 0:
+//    not that of side, |side| <= (err/len + 5u)|q|/kappa < E|q|. The slack (3u, and 5.7 against 8 in err) covers len, kappa, and the band's own
+//    product.
+// 3. Margin, point light, lateral. All vertices have side > 3E|v|, hence exactly n.v > (3E - 5u)|v|. A point of the volume is q = sum l_i v_i, l_i
+// >= 0:
 //    n.q > (3E - 5u)|q|, its computed side > (3E - 10u)|q| = 14u|q| > E|q|: it is outside the band, on the same side.
 // 4. Cap, point light. side = fl(n.q + d), d = fl(-n.a). Errors: 5u|q| + 6u reach (d's own dot product, a's rounding, the last sum), and
-//    (err/len)(|q| + reach) from m: below E(|q| + reach). Only "the whole volume is behind the cap" needs a margin (a caster in the positive child is
-//    visited from the band and from above): all vertices behind by more than 3E(|v| + reach) are exactly behind, the light is in front, so the volume
+//    (err/len)(|q| + reach) from m: below E(|q| + reach). Only "the whole volume is behind the cap" needs a margin (a caster in the positive child
+//    is
+//    visited from the band and from above): all vertices behind by more than 3E(|v| + reach) are exactly behind, the light is in front, so the
+//    volume
 //    - it starts at the caster and leads away from the light - is behind too.
-// 5. Directional light, S = GNO_SCENE_RADIUS. side = fl(n.p + d): 5uS against the stored plane, which errs against N by (err/len + 6u) 2S/kappa: band 2ES.
-//    N.D = 0, so |n.D'| <= (err/len + u)/kappa <= E for D' = D/|D|. A point of the volume is x - mu D', x in the caster, mu <= 2S: its computed side is
+// 5. Directional light, S = GNO_SCENE_RADIUS. side = fl(n.p + d): 5uS against the stored plane, which errs against N by (err/len + 6u) 2S/kappa:
+// band 2ES.
+//    N.D = 0, so |n.D'| <= (err/len + u)/kappa <= E for D' = D/|D|. A point of the volume is x - mu D', x in the caster, mu <= 2S: its computed side
+//    is
 //    above margin - 5uS - 2SE - 5uS > 2ES when the margin is 5.25ES; taken: 6ES. The same for the cap with margin 6ES.
-// 6. Wedge, for the positive side (the negative one likewise with -o_i). o_i = computed sides of the vertices. Point: w = max(0, max o_i/|v_i|), c the unit sum of the
-//    vertices' directions, s = min c.v_i/|v_i|: for q = sum l_i v_i, n.q <= sum l_i max(0, n.v_i) and |q| >= c.q >= s sum l_i |v_i|, so side/|q| <= (w + 10u + rounding)/s:
-//    (w + 2E)/(s - 2E) (s errs by 11u), used when s > 1/64. And with depth, a lower bound of the caster's distance: the volume's directions are the caster's, so
-//    (max(0, max o_i) + 2E max |v_i|)/depth. Each is valid; the smaller is taken. The paper's bound (its vertices' largest sine) is not: an arc between two vertices bulges.
-//    Directional: side <= max(0, max o_i) + 2SE + 10uS < max(0, max o_i) + 6ES over the volume; divided by the scale S it is comparable in the same way.
+// 6. Wedge, for the positive side (the negative one likewise with -o_i). o_i = computed sides of the vertices. Point: w = max(0, max o_i/|v_i|), c
+// the unit sum of the
+//    vertices' directions, s = min c.v_i/|v_i|: for q = sum l_i v_i, n.q <= sum l_i max(0, n.v_i) and |q| >= c.q >= s sum l_i |v_i|, so side/|q| <=
+//    (w + 10u + rounding)/s:
+//    (w + 2E)/(s - 2E) (s errs by 11u), used when s > 1/64. And with depth, a lower bound of the caster's distance: the volume's directions are the
+//    caster's, so
+//    (max(0, max o_i) + 2E max |v_i|)/depth. Each is valid; the smaller is taken. The paper's bound (its vertices' largest sine) is not: an arc
+//    between two vertices bulges.
+//    Directional: side <= max(0, max o_i) + 2SE + 10uS < max(0, max o_i) + 6ES over the volume; divided by the scale S it is comparable in the same
+//    way.
 //    A side in the band is below 2E and so below either bound, whatever its computed sign.
-// 7. Least depth. Any vector g of length <= 1 + 4u bounds the distance from below by min g.v_i; minus 2E|v_i| (g.v errs by 4u|v|, |q| in the query by 4u|q|).
+// 7. Least depth. Any vector g of length <= 1 + 4u bounds the distance from below by min g.v_i; minus 2E|v_i| (g.v errs by 4u|v|, |q| in the query
+// by 4u|q|).
 //    Directional: min over the vertices of the depth, each side errs by at most 16u, so minus 5E.
-// 8. Substitute. An edge that points at the light leaves its plane undetermined: kappa = 1 + 1/sin(angle between r and e), and at err >= len nothing is left of it. Any plane through
-//    the light may route, so such an edge (kappa > 64) gets one that leaves the whole caster certainly on its negative side, beyond the build's own margin (it is looked at
-//    with the expressions of the build): a point of the owner's volume is then certainly negative, too, and (2), (3), (5) and (6) hold for the stored plane, which errs by nothing. Inside
-//    its band a point is in no volume of the owner, the positive or the negative child. It says nothing about the owner otherwise: whoever comes out behind the cap of such
+// 8. Substitute. An edge that points at the light leaves its plane undetermined: kappa = 1 + 1/sin(angle between r and e), and at err >= len nothing
+// is left of it. Any plane through
+//    the light may route, so such an edge (kappa > 64) gets one that leaves the whole caster certainly on its negative side, beyond the build's own
+//    margin (it is looked at
+//    with the expressions of the build): a point of the owner's volume is then certainly negative, too, and (2), (3), (5) and (6) hold for the
+//    stored plane, which errs by nothing. Inside
+//    its band a point is in no volume of the owner, the positive or the negative child. It says nothing about the owner otherwise: whoever comes out
+//    behind the cap of such
 //    a volume is decided exactly, all planes at once, and the volume swallows no other caster.
-// 9. Bounds from both ends, for what lies wholly on one side. From above, either side: (6), which asks nothing of where the caster lies; a touching vertex, whose side is
-//    taken for 0, has exactly |n.v| <= E|v| for the stored n, with the 5u of the point's own side still below the 2E of (6). From below, the positive side, point light:
-//    all o_i >= 0, m = min o_i/|v_i|; n.q = sum l_i n.v_i >= (m - 5u) sum l_i |v_i| >= (m - 5u)|q| where m > 5u, for |q| <= sum l_i |v_i|: an arc between two vertices
-//    bulges away from the plane, so here the vertices do. The point's own side errs by 5u|q|, m itself by 6u m <= 7u: m - 2E, and less by 16u of itself for the product in
+// 9. Bounds from both ends, for what lies wholly on one side. From above, either side: (6), which asks nothing of where the caster lies; a touching
+// vertex, whose side is
+//    taken for 0, has exactly |n.v| <= E|v| for the stored n, with the 5u of the point's own side still below the 2E of (6). From below, the
+//    positive side, point light:
+//    all o_i >= 0, m = min o_i/|v_i|; n.q = sum l_i n.v_i >= (m - 5u) sum l_i |v_i| >= (m - 5u)|q| where m > 5u, for |q| <= sum l_i |v_i|: an arc
+//    between two vertices
+//    bulges away from the plane, so here the vertices do. The point's own side errs by 5u|q|, m itself by 6u m <= 7u: m - 2E, and less by 16u of
+//    itself for the product in
 //    the query and |q|. Directional: min o_i - 6ES, as in (6). Where that is below 0 it is stored as 0, and
-//    a computed side below 0 is looked up as 0: the exact sign may have sent such a point to the positive side. Both bounds are of the computed side of every point of the
+//    a computed side below 0 is looked up as 0: the exact sign may have sent such a point to the positive side. Both bounds are of the computed side
+//    of every point of the
 //    volume, so the band needs no case of its own, nor does a substitute plane.
 #ifndef GNO_TOP_PLANE_GLSL
 #define GNO_TOP_PLANE_GLSL
@@ -126,7 +154,8 @@ GNO_INLINE vec3 gnoTopUnit_(vec3 v_) {  // zero stays zero
     return length_ > 1e-15f ? v_ * (1.0f / length_) : vec3(0.0f);
 }
 
-// Towards the outside of the edge at `place` (0: ab, 1: bc, 2: ca), at a right angle to `axis`; where the caster is too thin to tell, one of three directions.
+// Towards the outside of the edge at `place` (0: ab, 1: bc, 2: ca), at a right angle to `axis`; where the caster is too thin to tell, one of three
+// directions.
 GNO_INLINE vec3 gnoTopOutward_(vec3 axis_, vec3 toThird_, uint place_) {
     precise vec3 across_ = toThird_ - axis_ * gnoDot(toThird_, axis_);
     if (gnoLength(across_) > 64.0f * GNO_BAND) return -gnoTopUnit_(across_);
@@ -304,12 +333,14 @@ GNO_INLINE bool gnoTopInWedge(uint wedge_, float side_, float scale_, uint preci
 
 GNO_INLINE float gnoTopMin_(vec3 v_) { return min(v_.x, min(v_.y, v_.z)); }
 
-// Arguments as gnoTopWedge; no side below 0. High half: from above. Low half: from below, as 0xFFFF minus it, so that both halves grow and gnoTopWidest holds both.
+// Arguments as gnoTopWedge; no side below 0. High half: from above. Low half: from below, as 0xFFFF minus it, so that both halves grow and
+// gnoTopWidest holds both.
 GNO_INLINE uint gnoTopPositive(vec4 light_, vec3 sides_, vec3 scales_, float depth_, float spread_) {
     if (!(light_.w == 0.0f || gnoTopMin_(scales_) > 1e-15f)) return (gnoTopHalf_(GNO_TOP_NO_BOUND) << 16) | 0xFFFFu;
     vec3 sines_ = vec3(sides_.x / scales_.x, sides_.y / scales_.y, sides_.z / scales_.z);
     float most_ = gnoTopBound_(light_, max(0.0f, gnoTopMax_(sines_)), max(0.0f, gnoTopMax_(sides_)), gnoTopMax_(scales_), depth_, spread_);
-    float least_ = light_.w == 0.0f ? (gnoTopMin_(sides_) - 6.0f * GNO_BAND * GNO_SCENE_RADIUS) / GNO_SCENE_RADIUS : gnoTopMin_(sines_) - 2.0f * GNO_BAND;
+    float least_ =
+        light_.w == 0.0f ? (gnoTopMin_(sides_) - 6.0f * GNO_BAND * GNO_SCENE_RADIUS) / GNO_SCENE_RADIUS : gnoTopMin_(sines_) - 2.0f * GNO_BAND;
     least_ = max(0.0f, least_ * (1.0f - 16.0f * GNO_ULP));
     return (gnoTopHalf_(most_) << 16) | (0xFFFFu - (floatBitsToUint(least_) >> 16));
 }

@@ -34,7 +34,8 @@ GNO_INLINE bool gnoTopQueryHybrid(GnoViewSample s_) {
     while (index_ != GNO_TOP_NONE) {
         GnoTopNode node_ = GNO_TOP_LOAD_NODE(index_);
         GnoTopSlab slab_ = gnoTopNoSlab_();
-        if (GNO_TOP_SLAB_ != 0) slab_ = GNO_TOP_LOAD_SLAB_(index_);  // here, not where it is asked for: a load of few invocations costs as much as one of all
+        // here, not where it is asked for: a load of few invocations costs as much as one of all
+        if (GNO_TOP_SLAB_ != 0) slab_ = GNO_TOP_LOAD_SLAB_(index_);
         GNO_COUNT(visitedNodes, 1u);
         uint next_ = GNO_TOP_NONE;
         if (twice_ || !gnoTopFarther_(point_, node_, index_)) {

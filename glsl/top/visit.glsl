@@ -2,11 +2,16 @@
 // gnomon top/visit.glsl : what one node of a TOP tree says about a point; shared by the three queries, not for use alone.
 //
 // Outside the band (plane.glsl) a plane's fp32 sign is certain: it routes, and it is the owner's decision. Inside the band
-//   certified      the exact sign of the owner's plane at p does both: lateral zero goes negative (the volume is closed), cap zero positive (in shadow is strictly
-//                  behind). Casters that touch the plane are filed by it (build.glsl). A sample's own caster never shadows it: at its cap the point goes positive.
-//                  In the band of a substitute plane (plane.glsl, 8) only the intersection child is left; the owner of such a plane is decided exactly behind its cap.
-//   conservative   in a lateral band the point lies in no volume of the positive or the negative child (their margin is wider): the owner's volume is decided in fp32
-//                  at the caster (core/decide.glsl), then only the intersection child is left. In the cap's band the positive child is left as well: the cap does not
+//   certified      the exact sign of the owner's plane at p does both: lateral zero goes negative (the volume is closed), cap zero positive (in
+//   shadow is strictly
+//                  behind). Casters that touch the plane are filed by it (build.glsl). A sample's own caster never shadows it: at its cap the point
+//                  goes positive.
+//                  In the band of a substitute plane (plane.glsl, 8) only the intersection child is left; the owner of such a plane is decided
+//                  exactly behind its cap.
+//   conservative   in a lateral band the point lies in no volume of the positive or the negative child (their margin is wider): the owner's volume
+//   is decided in fp32
+//                  at the caster (core/decide.glsl), then only the intersection child is left. In the cap's band the positive child is left as well:
+//                  the cap does not
 //                  pass through the light, casters in front of it do shadow points on it.
 //   published      has no band: the fp32 sign routes, zero goes negative, the sample's own caster is like any other.
 //
@@ -18,10 +23,12 @@
 // GNO_TOP_LOAD_NODE(index)     yes       -                        GnoTopNode at index; index < node count, never GNO_TOP_NONE; no side effect
 // GNO_TOP_LOAD_ANCESTOR(index) yes       -                        ancestor link of the volume that node index belongs to
 // GNO_TOP_LOAD_FLAGS(index)    yes       -                        aux of the third node of the volume that node index belongs to (node.h)
-// GNO_TOP_LOAD_SLAB(index)     no        -                        GnoTopSlab at index, where the tree was built with slabs: children that cannot matter are not loaded
+// GNO_TOP_LOAD_SLAB(index)     no        -                        GnoTopSlab at index, where the tree was built with slabs: children that cannot
+//                                                                 matter are not loaded
 // GNO_TOP_SLAB                 no        1                        with GNO_TOP_LOAD_SLAB: 0: do not look at it; may be a specialization constant
 // GNO_TOP_ROOT                 no        0u                       index of the root; GNO_TOP_NONE means an empty tree: everything is lit
-// GNO_TOP_FIND_ROOT(q)         no        GNO_TOP_ROOT             the root of the tree to ask for a point q = gnoFromLight(p), where there are several; or GNO_TOP_IN_SHADOW
+// GNO_TOP_FIND_ROOT(q)         no        GNO_TOP_ROOT             the root of the tree to ask for a point q = gnoFromLight(p), where there are
+//                                                                 several; or GNO_TOP_IN_SHADOW
 // GNO_TOP_CASTER_OF(block)     no        (block)                  the caster of nodes 4 * block and on
 // GNO_LIGHT                    yes       -                        vec4, homogeneous (core/light.glsl)
 // GNO_LOAD_CASTER(index)       yes       -                        GnoCaster, on the scene grid

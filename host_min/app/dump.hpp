@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `--dump`: what one technique left on the device for one frame and light, as STEM-NAME.bin files with a STEM-dump.json that says what they hold (README.md,
-// "What --dump writes"). viz/ reads them.
+// `--dump`: what one technique left on the device for one frame and light, as STEM-NAME.bin files with a STEM-dump.json that says what they hold
+// (README.md, "What --dump writes"). viz/ reads them.
 #pragma once
 #include <filesystem>
 #include <string>

@@ -81,17 +81,17 @@ std::vector<Effect> effectsOf(const SceneFile& file, const Frame& frame, int lig
 Choice chooseAutomatically(const Frame& frame, Precision precision) {
     if (!frame.surfaces.empty())
         return {&techniqueByName("ptsv"),
-                fmt::format("ptsv: {} of {} casters are alpha-tested or coloured, which the faster forest takes for opaque",
-                            frame.surfaces.size(), frame.triangles.size())};
-    if (precision == Precision::published)
-        return {&techniqueByName("d-hybrid"),
-                fmt::format("d-hybrid: {} casters, precision published, which the faster forest does not have: of the published queries it visits fewest nodes without the risk "
-                            "of a full stack",
+                fmt::format("ptsv: {} of {} casters are alpha-tested or coloured, which the faster forest takes for opaque", frame.surfaces.size(),
                             frame.triangles.size())};
-    return {&techniqueByName("forest"),
-            fmt::format("forest: {} casters, precision {}: in our measurements it took less time than d-hybrid in every scene, build and query together, and its worst sample stays "
-                        "near the mean, unlike that of the lists of light-grid",
-                        frame.triangles.size(), name(precision))};
+    if (precision == Precision::published)
+        return {&techniqueByName("d-hybrid"), fmt::format("d-hybrid: {} casters, precision published, which the faster forest does not have: of the "
+                                                          "published queries it visits fewest nodes without the risk "
+                                                          "of a full stack",
+                                                          frame.triangles.size())};
+    return {&techniqueByName("forest"), fmt::format("forest: {} casters, precision {}: in our measurements it took less time than d-hybrid in every "
+                                                    "scene, build and query together, and its worst sample stays "
+                                                    "near the mean, unlike that of the lists of light-grid",
+                                                    frame.triangles.size(), name(precision))};
 }
 
 void printEffects(const SceneFile& file, const Frame& frame) {
@@ -103,7 +103,8 @@ void printEffects(const SceneFile& file, const Frame& frame) {
         fmt::print("{} primitives of points or lines: they cast no shadow and are skipped\n", frame.facts.pointOrLinePrimitives);
     for (const std::string& extension : frame.facts.ignoredExtensions)
         fmt::print("required extension {} concerns textures and materials only: ignored\n", extension);
-    for (const Effect& effect : effectsOf(file, frame, -1)) fmt::print("{:20} {}\n{:20} -> {}\n", effect.name, effect.because, "", effect.switchesOn);
+    for (const Effect& effect : effectsOf(file, frame, -1))
+        fmt::print("{:20} {}\n{:20} -> {}\n", effect.name, effect.because, "", effect.switchesOn);
     fmt::print("auto would run {}\n", chooseAutomatically(frame, Precision::certified).why);
 }
 

@@ -42,9 +42,11 @@ void printDevices() {
     const auto devices = Device::list();
     for (size_t i = 0; i < devices.size(); ++i) {
         const DeviceFacts& f = devices[i];
-        fmt::print("{} {}\n  driver {} {}\n  Vulkan {}.{}, subgroup width {}\n  maxStorageBufferRange {}, maxImageDimension2D {}, maxBoundDescriptorSets {}, maxPushConstantsSize {}, ray queries {}\n", i,
-                   f.deviceName, f.driverName, f.driverInfo, f.apiVersionMajor, f.apiVersionMinor, f.subgroupSize, f.maxStorageBufferRange, f.maxImageDimension2D,
-                   f.maxBoundDescriptorSets, f.maxPushConstantsSize, f.rayQuery ? "yes" : "no");
+        fmt::print(
+            "{} {}\n  driver {} {}\n  Vulkan {}.{}, subgroup width {}\n  maxStorageBufferRange {}, maxImageDimension2D {}, maxBoundDescriptorSets "
+            "{}, maxPushConstantsSize {}, ray queries {}\n",
+            i, f.deviceName, f.driverName, f.driverInfo, f.apiVersionMajor, f.apiVersionMinor, f.subgroupSize, f.maxStorageBufferRange,
+            f.maxImageDimension2D, f.maxBoundDescriptorSets, f.maxPushConstantsSize, f.rayQuery ? "yes" : "no");
         const auto missing = missingRequirements(f);
         if (!missing.empty()) fmt::print("  missing: {}\n", fmt::join(missing, ", "));
     }

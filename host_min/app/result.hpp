@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One technique's result on one frame and light: asked about by the oracle, compared with its answer, made a record. For `gnomon shade` and for tools
-// that measure without it.
+// One technique's result on one frame and light: asked about by the oracle, compared with its answer, made a record. For `gnomon shade` and for
+// tools that measure without it.
 #pragma once
 #include <functional>
 #include <string>

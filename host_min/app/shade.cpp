@@ -36,7 +36,8 @@ void checkTrace(const ShadeOptions& options, const FrameInputs& inputs) {
     if (!options.trace) return;
     const glm::uvec2 at = *options.trace;
     if (inputs.pixels()[size_t(at.y) * inputs.width() + at.x].own > GNO_NO_CASTER)
-        throw InputError(fmt::format("--trace {},{}: that pixel shows the background or a surface that faces away from the light, so it has no query", at.x, at.y));
+        throw InputError(fmt::format(
+            "--trace {},{}: that pixel shows the background or a surface that faces away from the light, so it has no query", at.x, at.y));
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace gno::host {
 
 inline constexpr size_t kMaxCullPlanes = 16;  ///< of caster_state.comp
 
-/// Planes with the hull on their positive side, at most kMaxCullPlanes, on the grid. dot(xyz, p) + w < 0 in fp32 means certainly outside: each is pushed
-/// outward by far more than rounding and the samples' own offset take. A plane that cannot be trusted is left out, which only culls less.
+/// Planes with the hull on their positive side, at most kMaxCullPlanes, on the grid. dot(xyz, p) + w < 0 in fp32 means certainly outside: each is
+/// pushed outward by far more than rounding and the samples' own offset take. A plane that cannot be trusted is left out, which only culls less.
 /// After Mora et al., EGSR 2016, section 4 ("frustum culling").
 std::vector<glm::vec4> cullHull(const Camera& camera, double aspect, glm::vec4 light);
 

@@ -35,7 +35,9 @@ vk::BufferUsageFlags casterUsage(const DeviceFacts& device) {
 int frontSign(const Triangle& t, glm::vec4 light) {
     using Wide = __int128;
     const auto fixed = [](float v) { return int64_t(std::ldexp(double(v), kGridBits)); };
-    const auto sub = [&](glm::vec3 p, glm::vec3 q) { return std::array<Wide, 3>{fixed(p.x) - fixed(q.x), fixed(p.y) - fixed(q.y), fixed(p.z) - fixed(q.z)}; };
+    const auto sub = [&](glm::vec3 p, glm::vec3 q) {
+        return std::array<Wide, 3>{fixed(p.x) - fixed(q.x), fixed(p.y) - fixed(q.y), fixed(p.z) - fixed(q.z)};
+    };
     const auto u = sub(t.b, t.a), v = sub(t.c, t.a), w = sub(glm::vec3(light), t.a * light.w);
     const Wide d = u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0]);
     return d > 0 ? 1 : d < 0 ? -1 : 0;

@@ -31,8 +31,8 @@ public:
     /// Uploads the casters and rasterises the G-buffer. Throws InputError when a buffer would pass the device's limits.
     FrameInputs(PassCache& passes, const Frame& frame, uint32_t width, uint32_t height);
 
-    /// The same without a camera: given view samples, already on the grid and off their own planes, one pixel each in rows of `width`; what the last row
-    /// lacks is background. Hull culling knows no frustum then and drops nothing.
+    /// The same without a camera: given view samples, already on the grid and off their own planes, one pixel each in rows of `width`; what the last
+    /// row lacks is background. Hull culling knows no frustum then and drops nothing.
     FrameInputs(PassCache& passes, const Frame& frame, std::span<const OracleSample> samples, uint32_t width = 64);
 
     /// Makes view samples (unless they were given) and caster states for a homogeneous light on the grid.

@@ -5,8 +5,9 @@
 
 namespace gno::host {
 
-/// Runs `run` and returns its exit code; an exception becomes one line on standard error, "PROGRAM: TEXT", and 2 (InputError) or 1 (all else). Standard output
-/// that did not go out (a full disk, a reader that is gone) is an error as well. `lessMemory`: what to do when memory ran out, "use a smaller --size".
+/// Runs `run` and returns its exit code; an exception becomes one line on standard error, "PROGRAM: TEXT", and 2 (InputError) or 1 (all else).
+/// Standard output that did not go out (a full disk, a reader that is gone) is an error as well. `lessMemory`: what to do when memory ran out, "use
+/// a smaller --size".
 int guarded(const char* program, const char* lessMemory, const std::function<int()>& run);
 
 }  // namespace gno::host

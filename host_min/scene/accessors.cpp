@@ -111,7 +111,8 @@ Accessors::Layout Accessors::layout(int index, std::string_view what) const {
     const std::string name = fmt::format("accessor {} ({})", index, what);
     const int components = tinygltf::GetNumComponentsInType(static_cast<uint32_t>(accessor.type));
     if (components < 1) throw InputError(fmt::format("{} has an unknown type", name));
-    if (componentBytes(accessor.componentType) == 0) throw InputError(fmt::format("{}: component type {} is not glTF", name, accessor.componentType));
+    if (componentBytes(accessor.componentType) == 0)
+        throw InputError(fmt::format("{}: component type {} is not glTF", name, accessor.componentType));
     if (accessor.count == 0) throw InputError(fmt::format("{} has no elements", name));
     Layout result{nullptr, accessor.count, 0, components, accessor.componentType, accessor.normalized};
     if (accessor.bufferView >= 0) {

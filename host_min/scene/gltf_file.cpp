@@ -95,7 +95,9 @@ bool isFileBeside(const std::string& path, void* folder) {
 
 tinygltf::TinyGLTF makeReader(std::string& folder) {
     tinygltf::TinyGLTF reader;
-    const auto ignoreImage = [](tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) { return true; };
+    const auto ignoreImage = [](tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+        return true;
+    };
     reader.SetImageLoader(ignoreImage, nullptr);
     reader.SetFsCallbacks({isFileBeside, [](const std::string& wanted, void*) { return wanted; }, readBuffer, nullptr, &folder});
     return reader;

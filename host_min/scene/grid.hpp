@@ -16,9 +16,9 @@ struct Grid {
     /// The grid whose [-1, 1] holds the box [low, high] (world units, finite) with a little room to spare.
     static Grid around(glm::dvec3 low, glm::dvec3 high);
 
-    [[nodiscard]] glm::vec3 snap(glm::dvec3 world) const;      ///< world position to grid position
-    [[nodiscard]] glm::dvec3 world(glm::dvec3 onGrid) const;   ///< grid position to world position
-    [[nodiscard]] double scale() const;                        ///< 2^-exponent, grid units per world unit
+    [[nodiscard]] glm::vec3 snap(glm::dvec3 world) const;     ///< world position to grid position
+    [[nodiscard]] glm::dvec3 world(glm::dvec3 onGrid) const;  ///< grid position to world position
+    [[nodiscard]] double scale() const;                       ///< 2^-exponent, grid units per world unit
 };
 
 /// One coordinate (any finite double in [-2, 2]) to the nearest fp32 multiple of 2^-kGridBits.

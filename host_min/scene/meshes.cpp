@@ -69,7 +69,8 @@ int attribute(const std::map<std::string, int>& attributes, const char* name) {
     return found == attributes.end() ? -1 : found->second;
 }
 
-std::vector<glm::uvec3> readTriangles(const tinygltf::Primitive& primitive, const Accessors& accessors, size_t vertexCount, const std::string& what) {
+std::vector<glm::uvec3> readTriangles(const tinygltf::Primitive& primitive, const Accessors& accessors, size_t vertexCount,
+                                      const std::string& what) {
     if (primitive.indices < 0) {
         if (vertexCount > kMostTriangles * 3) throw InputError(fmt::format("{} has too many vertices", what));
         return triangulate(primitive.mode, static_cast<uint32_t>(vertexCount));

@@ -12,7 +12,8 @@ namespace gno::host {
 
 glm::dmat4 composed(const glm::dvec3& translation, const glm::dquat& rotation, const glm::dvec3& scale) {
     const glm::dmat3 turn = glm::mat3_cast(rotation);
-    return {glm::dvec4(turn[0] * scale.x, 0.0), glm::dvec4(turn[1] * scale.y, 0.0), glm::dvec4(turn[2] * scale.z, 0.0), glm::dvec4(translation, 1.0)};
+    return {glm::dvec4(turn[0] * scale.x, 0.0), glm::dvec4(turn[1] * scale.y, 0.0), glm::dvec4(turn[2] * scale.z, 0.0),
+            glm::dvec4(translation, 1.0)};
 }
 
 void checkMatrix(const glm::dmat4& matrix, const std::string& what) {
@@ -67,8 +68,8 @@ void readInstances(const tinygltf::Value& extension, Accessors& accessors, uint6
     for (int part = 0; part < 3; ++part) {
         if (!attributes.Has(names[part])) continue;
         const bool isRotation = part == 1;
-        parts[part] =
-            &accessors.values(attributes.Get(names[part]).Get<int>(), isRotation ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3, what + " " + names[part]);
+        parts[part] = &accessors.values(attributes.Get(names[part]).Get<int>(), isRotation ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3,
+                                        what + " " + names[part]);
         const size_t entries = parts[part]->size() / (isRotation ? 4 : 3);
         if (count != 0 && entries != count) throw InputError(fmt::format("{}: EXT_mesh_gpu_instancing has attributes of different lengths", what));
         count = entries;

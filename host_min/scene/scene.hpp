@@ -49,12 +49,12 @@ struct Camera {
 
 /// What was seen while loading that a user may want to know.
 struct SceneFacts {
-    uint64_t trianglesInFile = 0;      ///< of all instances, before anything is left out
-    uint64_t zeroArea = 0;             ///< triangles whose vertices are collinear on the grid: neither visible nor casters
-    uint64_t duplicates = 0;           ///< triangles that stand in the caster list before with the same three positions (any order); kept
+    uint64_t trianglesInFile = 0;  ///< of all instances, before anything is left out
+    uint64_t zeroArea = 0;         ///< triangles whose vertices are collinear on the grid: neither visible nor casters
+    uint64_t duplicates = 0;       ///< triangles that stand in the caster list before with the same three positions (any order); kept
     uint64_t pointOrLinePrimitives = 0;
-    uint64_t closedTriangles = 0;      ///< triangles of closed, consistently oriented meshes
-    uint32_t objects = 0;              ///< mesh instances
+    uint64_t closedTriangles = 0;  ///< triangles of closed, consistently oriented meshes
+    uint32_t objects = 0;          ///< mesh instances
     uint32_t lightsInFile = 0, camerasInFile = 0, animations = 0, skins = 0, morphTargets = 0;
     std::vector<std::string> ignoredExtensions;  ///< required by the file; they concern textures and materials only, and are not read
 };
@@ -62,16 +62,16 @@ struct SceneFacts {
 /// One frame of a scene. All vectors with one entry per triangle have the same length and order.
 struct Frame {
     Grid grid;
-    std::vector<Triangle> triangles;   ///< on the grid, none with zero area
-    std::vector<uint32_t> material;    ///< index into SceneFile::materials()
-    std::vector<uint32_t> object;      ///< index of the mesh instance
-    std::vector<uint32_t> surfaceOf;   ///< index into surfaces, or kOpaque; empty when all triangles are opaque
-    std::vector<Surface> surfaces;     ///< of the triangles that are not
+    std::vector<Triangle> triangles;          ///< on the grid, none with zero area
+    std::vector<uint32_t> material;           ///< index into SceneFile::materials()
+    std::vector<uint32_t> object;             ///< index of the mesh instance
+    std::vector<uint32_t> surfaceOf;          ///< index into surfaces, or kOpaque; empty when all triangles are opaque
+    std::vector<Surface> surfaces;            ///< of the triangles that are not
     std::shared_ptr<const MaterialSet> look;  ///< what surfaces refer to; null when all triangles are opaque
-    std::vector<uint8_t> closed;       ///< 1: the triangle belongs to a closed, consistently oriented mesh (front-face culling is legal)
-    std::vector<Light> lights;         ///< at least one
-    Camera camera;                     ///< the chosen one
-    glm::vec3 low{0}, high{0};         ///< bounding box of the triangles, on the grid
+    std::vector<uint8_t> closed;              ///< 1: the triangle belongs to a closed, consistently oriented mesh (front-face culling is legal)
+    std::vector<Light> lights;                ///< at least one
+    Camera camera;                            ///< the chosen one
+    glm::vec3 low{0}, high{0};                ///< bounding box of the triangles, on the grid
     SceneFacts facts;
 };
 
@@ -91,9 +91,9 @@ public:
 
     [[nodiscard]] const std::filesystem::path& path() const;
     [[nodiscard]] const std::vector<Material>& materials() const;  ///< the last entry is glTF's default material
-    [[nodiscard]] uint32_t cameraCount() const;                     ///< at least 1: the default one when the file has none
-    [[nodiscard]] uint32_t lightCount() const;                      ///< at least 1: defaults (0: point, 1: directional) when the file has none
-    [[nodiscard]] double lastKeyframe() const;                      ///< seconds; 0 without animations
+    [[nodiscard]] uint32_t cameraCount() const;                    ///< at least 1: the default one when the file has none
+    [[nodiscard]] uint32_t lightCount() const;                     ///< at least 1: defaults (0: point, 1: directional) when the file has none
+    [[nodiscard]] double lastKeyframe() const;                     ///< seconds; 0 without animations
 
     /// The scene at `frame` / kFramesPerSecond seconds (animations are clamped at their ends). Throws InputError when `camera` is out of
     /// range, or an animated position is not finite.

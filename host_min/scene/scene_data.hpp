@@ -122,8 +122,8 @@ void loadInfluences(const tinygltf::Primitive& primitive, Accessors& accessors, 
 /// One matrix per joint: skin space to world.
 std::vector<glm::dmat4> jointMatrices(const SkinData& skin, const Pose& pose);
 /// World positions of a primitive's vertices; `world` places what has no joints.
-void placeVertices(const PrimitiveData& primitive, const std::vector<double>& weights, const glm::dmat4& world, const std::vector<glm::dmat4>& joints,
-                   std::vector<glm::dvec3>& out);
+void placeVertices(const PrimitiveData& primitive, const std::vector<double>& weights, const glm::dmat4& world,
+                   const std::vector<glm::dmat4>& joints, std::vector<glm::dvec3>& out);
 // lights_cameras.cpp
 void loadLightsAndCameras(const tinygltf::Model& model, SceneFile::Data& data);
 std::vector<Light> lightsAt(const SceneFile::Data& data, const Pose& pose, const Grid& grid);

@@ -81,8 +81,8 @@ std::vector<glm::dmat4> jointMatrices(const SkinData& skin, const Pose& pose) {
     return matrices;
 }
 
-void placeVertices(const PrimitiveData& primitive, const std::vector<double>& weights, const glm::dmat4& world, const std::vector<glm::dmat4>& joints,
-                   std::vector<glm::dvec3>& out) {
+void placeVertices(const PrimitiveData& primitive, const std::vector<double>& weights, const glm::dmat4& world,
+                   const std::vector<glm::dmat4>& joints, std::vector<glm::dvec3>& out) {
     const bool isSkinned = !joints.empty() && !primitive.influenceStart.empty();
     out.resize(primitive.positions.size());
     for (size_t v = 0; v < primitive.positions.size(); ++v) {

@@ -30,7 +30,8 @@ TextureImage decodeImage(const std::vector<unsigned char>& bytes, const std::str
             fmt::format("{} is not a PNG or JPEG that can be read ({})", what, stbi_failure_reason() ? stbi_failure_reason() : "unknown"));
     if (static_cast<uint64_t>(width) * static_cast<uint64_t>(height) > mostTexels)
         throw InputError(fmt::format("{} has {} x {} texels; all images together may have {}", what, width, height, mostTexels));
-    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
+    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4),
+                                                           stbi_image_free);
     if (!pixels) throw InputError(fmt::format("{} is broken or truncated ({})", what, stbi_failure_reason()));
     TextureImage image{static_cast<uint32_t>(width), static_cast<uint32_t>(height), {}};
     image.rgba.assign(pixels.get(), pixels.get() + static_cast<size_t>(width) * static_cast<size_t>(height) * 4);

@@ -70,8 +70,14 @@ void CellAssignment::setResolution(uint32_t resolution) {
 void CellAssignment::setPool(uint64_t pairs) { pool_ = Buffer(inputs_.device(), std::max<uint64_t>(pairs, 1) * sizeof(GnoForestPair)); }
 
 std::vector<Binding> CellAssignment::resources() const {
-    return {{"gnoCasters", &inputs_.casters()}, {"gnoStates", &inputs_.states()}, {"gnoSamples", &inputs_.samples()}, {"gnoForestGrid", &grid_},
-            {"gnoForestCells", &cells_},        {"gnoForestHeader", &header_},    {"gnoForestFew", &few_},            {"gnoList", &list_},
+    return {{"gnoCasters", &inputs_.casters()},
+            {"gnoStates", &inputs_.states()},
+            {"gnoSamples", &inputs_.samples()},
+            {"gnoForestGrid", &grid_},
+            {"gnoForestCells", &cells_},
+            {"gnoForestHeader", &header_},
+            {"gnoForestFew", &few_},
+            {"gnoList", &list_},
             {"gnoForestPairs", &pool_}};
 }
 

@@ -301,16 +301,18 @@ std::vector<DumpedBuffer> ClusterHierarchy::dump() const {
     };
     const uint64_t masks = gnoClusterWordCount(layout_);
     const uint32_t boxWords = layout_.form == GNO_CLUSTER_FLAT ? 1 : 3;
-    std::vector<DumpedBuffer> result{{"frame", "GnoClusterFrame, GnoClusterLayout", frame_.download(), uint32_t(frame_.bytes() / 4)},
-                                     {"header", "GnoClusterHeader", header_.download(), sizeof(GnoClusterHeader) / 4},
-                                     {"slices", "float start[slices + 1]", words(slices_, uint64_t(gnoClusterSlices(layout_)) + 1)},
-                                     {"masks", "uint word[words]: as the traversal left them, without the nodes that were accepted", words(masks_, masks)},
-                                     {"volumes", "vec4 plane[7 * casters]", words(volumes_, 28 * uint64_t(inputs_.triangleCount())), 28}};
+    std::vector<DumpedBuffer> result{
+        {"frame", "GnoClusterFrame, GnoClusterLayout", frame_.download(), uint32_t(frame_.bytes() / 4)},
+        {"header", "GnoClusterHeader", header_.download(), sizeof(GnoClusterHeader) / 4},
+        {"slices", "float start[slices + 1]", words(slices_, uint64_t(gnoClusterSlices(layout_)) + 1)},
+        {"masks", "uint word[words]: as the traversal left them, without the nodes that were accepted", words(masks_, masks)},
+        {"volumes", "vec4 plane[7 * casters]", words(volumes_, 28 * uint64_t(inputs_.triangleCount())), 28}};
     if (layout_.form != GNO_CLUSTER_IMPLICIT) {
         for (const auto& [name, buffer] : {std::pair("low", &low_), std::pair("high", &high_)}) {
             uint64_t boxes = gnoClusterNodeCount(layout_);
             if (layout_.form == GNO_CLUSTER_COMPACT) boxes = std::min(options_.boxCapacity, header_.downloadAs<GnoClusterHeader>().front().boxCount);
-            result.push_back({name, layout_.form == GNO_CLUSTER_FLAT ? "float depth[nodes]" : "float xyz[3 * boxes]", words(*buffer, boxWords * boxes), boxWords});
+            result.push_back({name, layout_.form == GNO_CLUSTER_FLAT ? "float depth[nodes]" : "float xyz[3 * boxes]",
+                              words(*buffer, boxWords * boxes), boxWords});
         }
     }
     if (layout_.form == GNO_CLUSTER_COMPACT) result.push_back({"pointers", "uvec2 firstBoxAndMask[words]", words(pointers_, 2 * masks), 2});

@@ -17,7 +17,12 @@ public:
         info_.precisions = {Precision::conservative, Precision::certified};
         info_.effects = {"point_light", "directional_light", "spot_light", "open_casters"};
         info_.settings = {
-            {"cells", "along an edge of a face of the light's grid; auto: by what counting at several finds", 0, 0, {"auto", "1", "4", "8", "16", "32", "64", "128", "256"}, "auto"},
+            {"cells",
+             "along an edge of a face of the light's grid; auto: by what counting at several finds",
+             0,
+             0,
+             {"auto", "1", "4", "8", "16", "32", "64", "128", "256"},
+             "auto"},
             {"view_cull", "leave out casters beyond a cell's view samples; off: the trees outlive a camera's moves", 0, 0, {"on", "off"}, "on"},
             {"cover", "leave out casters beyond one that hides the whole cell", 0, 0, {"on", "off"}, "on"},
             {"query", "which query of the TOP tree", 0, 0, {"stack", "stackless", "hybrid"}, "hybrid"},
@@ -43,8 +48,9 @@ public:
                                           .repeat = options.repeat,
                                           .warmUp = options.warmUp,
                                           .counters = options.counters};
-        const std::string key = fmt::format("forest {} {} {} {} {} {} {} {}", name(options.precision), forestOptions.resolution, forestOptions.viewCull,
-                                            forestOptions.cover, forestOptions.slab, forestOptions.storePlanes, forestOptions.pool, forestOptions.seed);
+        const std::string key =
+            fmt::format("forest {} {} {} {} {} {} {} {}", name(options.precision), forestOptions.resolution, forestOptions.viewCull,
+                        forestOptions.cover, forestOptions.slab, forestOptions.storePlanes, forestOptions.pool, forestOptions.seed);
         const ForestTrees& trees = structures.get<ForestTrees>(key, [&] { return std::make_shared<ForestTrees>(inputs, forestOptions); });
 
         TechniqueResult result;
@@ -58,14 +64,10 @@ public:
              settings.word("stage") == "fragment"},
             options, result);
         result.counters.dropped = trees.counters().dropped;
-        result.counters.more = {{"cells", trees.resolution()},
-                                {"pairs", trees.found().pairs},
-                                {"used_cells", trees.found().used},
-                                {"some_cells", trees.found().some},
-                                {"many_cells", trees.found().many},
-                                {"inserted", trees.counters().inserted},
-                                {"build_steps", trees.counters().steps},
-                                {"intersection_steps", trees.counters().intersections}};
+        result.counters.more = {{"cells", trees.resolution()},           {"pairs", trees.found().pairs},
+                                {"used_cells", trees.found().used},      {"some_cells", trees.found().some},
+                                {"many_cells", trees.found().many},      {"inserted", trees.counters().inserted},
+                                {"build_steps", trees.counters().steps}, {"intersection_steps", trees.counters().intersections}};
         if (options.dump) result.dump = trees.dump();
         return result;
     }

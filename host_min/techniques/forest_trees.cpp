@@ -24,8 +24,8 @@ uint32_t mostPairs(const DeviceFacts& device) {
 
 constexpr std::array kResolutions{4u, 8u, 16u, 32u, 64u, 128u, 256u};
 
-/// What a build and a query cost together, in visited nodes of a query: a pair costs as much as 65, a cell as 4, a sample visits 5.5 times the 0.3rd power of the pairs that a cell
-/// holds in the mean. Fitted to 13 scenes at 1920x1080, see glsl/README.md, "How many cells".
+/// What a build and a query cost together, in visited nodes of a query: a pair costs as much as 65, a cell as 4, a sample visits 5.5 times the 0.3rd
+/// power of the pairs that a cell holds in the mean. Fitted to 13 scenes at 1920x1080, see glsl/README.md, "How many cells".
 double expectedVisits(const GnoForestHeader& found, uint64_t samples, uint32_t cells) {
     return 65.0 * found.pairs + 4.0 * cells + double(samples) * 5.5 * std::pow(double(found.pairs) / std::max(1u, found.used), 0.3);
 }
@@ -39,14 +39,17 @@ ForestTrees::ForestTrees(const FrameInputs& inputs, const ForestOptions& options
       planes_(inputs.device(), topPlaneBytes(0)),
       links_(inputs.device(), topLinkBytes(0)),
       slabs_(inputs.device(), topSlabBytes(0)) {
-    if (options.resolution == 0) chooseResolution();
-    else count(options.resolution);
+    if (options.resolution == 0)
+        chooseResolution();
+    else
+        count(options.resolution);
     const uint32_t most = mostPairs(inputs.device().facts());
     if (found_.pairs > most)
-        throw InputError(fmt::format("the forest needs {} pairs of cell and caster, over the limit of {}: use a smaller --set cells than {}", found_.pairs, most,
-                                     resolution()));
+        throw InputError(fmt::format("the forest needs {} pairs of cell and caster, over the limit of {}: use a smaller --set cells than {}",
+                                     found_.pairs, most, resolution()));
     if (options.pool > 0 && options.pool < found_.pairs)
-        throw InputError(fmt::format("--set pool={}: the forest needs {} pairs of cell and caster: use a larger pool, or 0", options.pool, found_.pairs));
+        throw InputError(
+            fmt::format("--set pool={}: the forest needs {} pairs of cell and caster: use a larger pool, or 0", options.pool, found_.pairs));
     const uint64_t capacity = options.pool > 0 ? options.pool : found_.pairs;
     assignment_.setPool(capacity);
     if (options.storePlanes) planes_ = Buffer(inputs.device(), topPlaneBytes(capacity));

@@ -15,10 +15,10 @@ struct ForestOptions {
     Precision precision = Precision::certified;
     uint32_t resolution = 0;  ///< cells along an edge of a face; 0: chosen by counting pairs at several
     bool viewCull = true, cover = true;
-    bool slab = false;  ///< bounds of a node's children, kept in the node
+    bool slab = false;        ///< bounds of a node's children, kept in the node
     bool storePlanes = true;  ///< false: the build and the queries compute a node's plane from its caster
-    uint32_t pool = 0;  ///< pairs; 0: as many as the frame needs, which one read-back tells
-    uint32_t seed = 1;  ///< of the insertion order
+    uint32_t pool = 0;        ///< pairs; 0: as many as the frame needs, which one read-back tells
+    uint32_t seed = 1;        ///< of the insertion order
     uint32_t repeat = 1;
     bool warmUp = true;
     bool counters = true;

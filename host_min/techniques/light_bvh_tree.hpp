@@ -38,7 +38,8 @@ private:
 
     const FrameInputs& inputs_;
     uint32_t references_ = 0, nodeCount_ = 0, levelCount_ = 0;
-    Buffer grid_, header_, masks_, sums_, levels_, referenceList_, keys_, order_, otherKeys_, otherOrder_, counts_, boxes_, splits_, nodes_, parents_;
+    Buffer grid_, header_, masks_, sums_, levels_, referenceList_, keys_, order_, otherKeys_, otherOrder_, counts_, boxes_, splits_, nodes_,
+        parents_;
     std::vector<RecordPass> passes_;
 };
 

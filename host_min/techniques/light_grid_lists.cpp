@@ -143,9 +143,12 @@ void LightGridLists::recordItems(Recording& recording) const {
 }
 
 NamedNumbers LightGridLists::bytes() const {
-    return {{"lists", lists_.bytes()},   {"items", itemPool_.bytes()},
-            {"planes", planes_.bytes()}, {"cells", assignment_.cellBytes() + depths_.bytes() + header_.bytes()},
-            {"pairs", assignment_.pool().bytes()},    {"casters", assignment_.casterBytes()}};
+    return {{"lists", lists_.bytes()},
+            {"items", itemPool_.bytes()},
+            {"planes", planes_.bytes()},
+            {"cells", assignment_.cellBytes() + depths_.bytes() + header_.bytes()},
+            {"pairs", assignment_.pool().bytes()},
+            {"casters", assignment_.casterBytes()}};
 }
 
 std::vector<DumpedBuffer> LightGridLists::dump() const {

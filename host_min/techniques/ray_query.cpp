@@ -45,25 +45,32 @@ public:
              }))
             result.passes.push_back({pass.name, pass.ms});
         result.visibility = visibility.downloadAs<uint32_t>();
-        if (options.dump) result.dump.push_back({"indices", "uint index[3 * casters], all three the same where the caster is left out", scene.indices().download()});
+        if (options.dump)
+            result.dump.push_back(
+                {"indices", "uint index[3 * casters], all three the same where the caster is left out", scene.indices().download()});
         return result;
     }
 
 private:
     static constexpr uint32_t kPoison = 0xDEADBEEFu;  // a shader that writes nothing must not look right
 
-    static void query(Recording& recording, const FrameInputs& inputs, const RayScene& scene, const Image& visibility, const Image* counts, bool fragment) {
+    static void query(Recording& recording, const FrameInputs& inputs, const RayScene& scene, const Image& visibility, const Image* counts,
+                      bool fragment) {
         const std::string base = "rivals/examples/ray_query";
         const ExamplePush push = inputs.push();
         const auto bytes = std::as_bytes(std::span(&push, 1));
-        const std::array resources{Binding{"gnoRayStructure", &scene.top()}, Binding{"gnoSamples", &inputs.samples()}, Binding{"gnoVisibility", &visibility},
-                                   Binding{"gnoCounts", counts ? counts : &inputs.samples()}};
+        const std::array resources{Binding{"gnoRayStructure", &scene.top()}, Binding{"gnoSamples", &inputs.samples()},
+                                   Binding{"gnoVisibility", &visibility}, Binding{"gnoCounts", counts ? counts : &inputs.samples()}};
         if (fragment) {
             const std::array formats{visibility.format()};
             const std::array targets{RasterPass::Target{&visibility, vk::ClearColorValue(kPoison, kPoison, kPoison, kPoison)}};
-            inputs.passes().raster("core/examples/fullscreen.vert", base + ".frag", formats, false).draw(recording, targets, nullptr, resources, bytes, 3);
+            inputs.passes()
+                .raster("core/examples/fullscreen.vert", base + ".frag", formats, false)
+                .draw(recording, targets, nullptr, resources, bytes, 3);
         } else {
-            inputs.passes().compute(base + (counts ? ".comp.counters" : ".comp")).dispatch(recording, resources, bytes, (inputs.width() + 7) / 8, (inputs.height() + 7) / 8);
+            inputs.passes()
+                .compute(base + (counts ? ".comp.counters" : ".comp"))
+                .dispatch(recording, resources, bytes, (inputs.width() + 7) / 8, (inputs.height() + 7) / 8);
         }
     }
 

@@ -15,7 +15,8 @@ RayScene::RayScene(const FrameInputs& inputs, uint32_t repeat, bool warmUp)
       bottom_(AccelerationStructure::ofTriangles(inputs.device(), inputs.casters(), indices_, inputs.triangleCount())),
       top_(AccelerationStructure::ofInstance(inputs.device(), bottom_)) {
     passes_.push_back({inputs.casterSetUp().name, inputs.casterSetUp().ms});
-    for (const PassTime& pass : measure(inputs.device(), repeat, warmUp, [&](Recording& r) { record(r, inputs); })) passes_.push_back({pass.name, pass.ms});
+    for (const PassTime& pass : measure(inputs.device(), repeat, warmUp, [&](Recording& r) { record(r, inputs); }))
+        passes_.push_back({pass.name, pass.ms});
 }
 
 NamedNumbers RayScene::bytes() const {

@@ -19,7 +19,8 @@ namespace gno::host {
 const std::vector<std::unique_ptr<Technique>>& techniques() {
     static const auto list = [] {
         std::vector<std::unique_ptr<Technique>> made;
-        for (const TopQuery query : {TopQuery::psv, TopQuery::dPsv, TopQuery::dStackless, TopQuery::dHybrid}) made.push_back(makeTopTechnique(query));
+        for (const TopQuery query : {TopQuery::psv, TopQuery::dPsv, TopQuery::dStackless, TopQuery::dHybrid})
+            made.push_back(makeTopTechnique(query));
         made.push_back(makeClusterTechnique(false));
         made.push_back(makeClusterTechnique(true));
         made.push_back(makeForestTechnique());
@@ -35,16 +36,17 @@ const std::vector<std::unique_ptr<Technique>>& techniques() {
 std::string missingFor(const TechniqueInfo& info, const DeviceFacts& device) {
     if (info.rayQuery && !device.rayQuery)
         return "VkPhysicalDeviceRayQueryFeaturesKHR::rayQuery with accelerationStructure and bufferDeviceAddress (VK_KHR_ray_query)";
-    return info.subgroupBallot && !device.subgroupBallot ? "VkPhysicalDeviceSubgroupProperties::supportedOperations: VK_SUBGROUP_FEATURE_BALLOT_BIT in compute shaders" : "";
+    return info.subgroupBallot && !device.subgroupBallot
+               ? "VkPhysicalDeviceSubgroupProperties::supportedOperations: VK_SUBGROUP_FEATURE_BALLOT_BIT in compute shaders"
+               : "";
 }
 
 const std::vector<std::pair<std::string, std::string>>& plannedTechniques() {
-    static const std::vector<std::pair<std::string, std::string>> list{
-        {"zpass", "stencil shadow volumes, depth pass"},
-        {"zfail", "stencil shadow volumes, depth fail"},
-        {"zp+", "stencil shadow volumes, ZP+"},
-        {"++zp", "stencil shadow volumes, ++ZP"},
-        {"atomic-zp", "stencil shadow volumes, AtomicZP 2019"}};
+    static const std::vector<std::pair<std::string, std::string>> list{{"zpass", "stencil shadow volumes, depth pass"},
+                                                                       {"zfail", "stencil shadow volumes, depth fail"},
+                                                                       {"zp+", "stencil shadow volumes, ZP+"},
+                                                                       {"++zp", "stencil shadow volumes, ++ZP"},
+                                                                       {"atomic-zp", "stencil shadow volumes, AtomicZP 2019"}};
     return list;
 }
 
@@ -55,22 +57,30 @@ Technique& techniqueByName(const std::string& name) {
         names.push_back(technique->info().name);
     }
     for (const auto& [planned, what] : plannedTechniques())
-        if (planned == name) throw InputError(fmt::format("technique {} ({}) is not in this build yet; there are: {}", name, what, fmt::join(names, ", ")));
+        if (planned == name)
+            throw InputError(fmt::format("technique {} ({}) is not in this build yet; there are: {}", name, what, fmt::join(names, ", ")));
     throw InputError(fmt::format("no technique is called {}; there are: {}", name, fmt::join(names, ", ")));
 }
 
 const std::vector<SettingInfo>& frameSettings() {
     static const std::vector<SettingInfo> list{
-        {"cull", "casters left out: front (those of closed meshes that face the light), hull (outside the hull of view and light)", 0, 0,
-         {"none", "front", "hull", "all"}, "none"}};
+        {"cull",
+         "casters left out: front (those of closed meshes that face the light), hull (outside the hull of view and light)",
+         0,
+         0,
+         {"none", "front", "hull", "all"},
+         "none"}};
     return list;
 }
 
 const char* name(Precision precision) {
     switch (precision) {
-        case Precision::published: return "published";
-        case Precision::conservative: return "conservative";
-        case Precision::certified: return "certified";
+        case Precision::published:
+            return "published";
+        case Precision::conservative:
+            return "conservative";
+        case Precision::certified:
+            return "certified";
     }
     return "";
 }

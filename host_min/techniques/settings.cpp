@@ -71,9 +71,15 @@ nlohmann::ordered_json Settings::json() const {
     nlohmann::ordered_json result = nlohmann::ordered_json::object();
     for (const auto& [name, value] : values_) {
         switch (kinds_.at(name)) {
-            case Kind::word: result[name] = value; break;
-            case Kind::whole: result[name] = std::stoul(value); break;
-            case Kind::decimals: result[name] = std::stod(value); break;
+            case Kind::word:
+                result[name] = value;
+                break;
+            case Kind::whole:
+                result[name] = std::stoul(value);
+                break;
+            case Kind::decimals:
+                result[name] = std::stod(value);
+                break;
         }
     }
     return result;
@@ -85,7 +91,8 @@ void checkSettings(std::span<const std::span<const SettingInfo>> known, std::spa
         for (const SettingInfo& info : list) keys.insert(info.key);
     for (const std::string& text : given) {
         const std::string key = split(text).first;
-        if (!keys.contains(key)) throw InputError(fmt::format("--set {}: none of the chosen techniques knows it; known here: {}", key, fmt::join(keys, ", ")));
+        if (!keys.contains(key))
+            throw InputError(fmt::format("--set {}: none of the chosen techniques knows it; known here: {}", key, fmt::join(keys, ", ")));
     }
 }
 

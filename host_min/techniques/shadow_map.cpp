@@ -165,7 +165,8 @@ private:
             return faces == GNO_SHADOW_MAP_BACK ? facing == 2u : faces == GNO_SHADOW_MAP_FRONT ? facing == 0u : facing != 1u;
         };
         const uint64_t drawn = uint64_t(std::count_if(states.begin(), states.begin() + inputs.triangleCount(), isDrawn));
-        totals.more = {{"views", views}, {"texels", texels}, {"triangles_drawn", drawn * views}, {"vertices", 3ull * inputs.triangleCount() * views}};
+        totals.more = {
+            {"views", views}, {"texels", texels}, {"triangles_drawn", drawn * views}, {"vertices", 3ull * inputs.triangleCount() * views}};
     }
 
     TechniqueInfo info_;

@@ -35,9 +35,9 @@ std::string missingFor(const TechniqueInfo& info, const DeviceFacts& device);
 struct RunOptions {
     Precision precision = Precision::certified;
     uint32_t repeat = 1;
-    bool counters = true;  ///< make the instrumented run as well
-    bool dump = false;     ///< hand over the buffers
-    bool warmUp = true;    ///< false: the pipelines have run before, or nobody reads the times
+    bool counters = true;               ///< make the instrumented run as well
+    bool dump = false;                  ///< hand over the buffers
+    bool warmUp = true;                 ///< false: the pipelines have run before, or nobody reads the times
     std::optional<glm::uvec2> trace{};  ///< with dump and counters, where the technique can: log the way of this pixel's query
 };
 
@@ -48,12 +48,13 @@ struct DumpedBuffer {
 };
 
 struct TechniqueResult {
-    std::vector<uint32_t> visibility;      ///< GNO_VISIBILITY_* per pixel
-    std::vector<glm::uvec3> sums;          ///< per pixel, core/transmittance.glsl; shadow is where all three are kNoLight. Empty: every caster taken for opaque
-    std::vector<uint32_t> visitedNodes;    ///< per pixel; empty where the technique has none, or without counters
-    std::vector<uint32_t> sampleTests;     ///< per pixel: how often it was tested against a shadow volume; the same
-    std::vector<uint32_t> deepestStack;    ///< per pixel; the same
-    std::vector<RecordPass> passes;        ///< structure first
+    std::vector<uint32_t> visibility;  ///< GNO_VISIBILITY_* per pixel
+    std::vector<glm::uvec3>
+        sums;  ///< per pixel, core/transmittance.glsl; shadow is where all three are kNoLight. Empty: every caster taken for opaque
+    std::vector<uint32_t> visitedNodes;  ///< per pixel; empty where the technique has none, or without counters
+    std::vector<uint32_t> sampleTests;   ///< per pixel: how often it was tested against a shadow volume; the same
+    std::vector<uint32_t> deepestStack;  ///< per pixel; the same
+    std::vector<RecordPass> passes;      ///< structure first
     NamedNumbers bytes;
     RecordCounters counters;
     std::vector<DumpedBuffer> dump;

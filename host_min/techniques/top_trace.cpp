@@ -24,9 +24,10 @@ std::vector<DumpedBuffer> traceTopQuery(const FrameInputs& inputs, const TopTree
     visibility.clear(vk::ClearColorValue(0u, 0u, 0u, 0u));
 
     const ExamplePush push = inputs.push();
-    const std::array resources{Binding{"gnoCasters", &inputs.casters()},  Binding{"gnoTopPlanes", &tree.planes()},    Binding{"gnoTopLinks", &tree.links()},
-                               Binding{"gnoTopHeader", &tree.header()},   Binding{"gnoSamples", &inputs.samples()},   Binding{"gnoVisibility", &visibility},
-                               Binding{"gnoTopVisits", &visits},          Binding{"gnoTopTrace", &trace}};
+    const std::array resources{Binding{"gnoCasters", &inputs.casters()}, Binding{"gnoTopPlanes", &tree.planes()},
+                               Binding{"gnoTopLinks", &tree.links()},    Binding{"gnoTopHeader", &tree.header()},
+                               Binding{"gnoSamples", &inputs.samples()}, Binding{"gnoVisibility", &visibility},
+                               Binding{"gnoTopVisits", &visits},         Binding{"gnoTopTrace", &trace}};
     Recording recording(inputs.device());
     inputs.passes()
         .compute(fmt::format("top/examples/{}.comp", shader), constants)
@@ -34,12 +35,12 @@ std::vector<DumpedBuffer> traceTopQuery(const FrameInputs& inputs, const TopTree
     recording.submit();
 
     words = trace.downloadAs<uint32_t>();
-    if (words[2] != traced.nodes)
-        throw WorkError(fmt::format("the traced query visits {} nodes, the counted one {}", words[2], traced.nodes));
+    if (words[2] != traced.nodes) throw WorkError(fmt::format("the traced query visits {} nodes, the counted one {}", words[2], traced.nodes));
     std::vector<DumpedBuffer> result{{"visits", "uint[4 * casters]: how often the queries of the frame load the node", visits.download()}};
     if (traced.nodes > 0) {
         const auto bytes = std::as_bytes(std::span(words).subspan(kHeader, 2 * size_t(traced.nodes)));
-        result.push_back({"trace", "uvec2: node, GNO_TOP_TRACE_* (glsl/top/examples/trace.glsl), in the order of the visits", {bytes.begin(), bytes.end()}, 2});
+        result.push_back(
+            {"trace", "uvec2: node, GNO_TOP_TRACE_* (glsl/top/examples/trace.glsl), in the order of the visits", {bytes.begin(), bytes.end()}, 2});
     }
     return result;
 }

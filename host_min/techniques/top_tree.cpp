@@ -15,7 +15,8 @@ namespace {
 /// At least one: set-up writes the header of an empty tree too.
 uint32_t groupCount(const DeviceFacts& device, uint32_t triangles, uint32_t groupSize) {
     if (groupSize > device.maxComputeWorkGroupInvocations)
-        throw InputError(fmt::format("--set group={}: the device's maxComputeWorkGroupInvocations is {}", groupSize, device.maxComputeWorkGroupInvocations));
+        throw InputError(
+            fmt::format("--set group={}: the device's maxComputeWorkGroupInvocations is {}", groupSize, device.maxComputeWorkGroupInvocations));
     const uint32_t groups = std::max(1u, (triangles + groupSize - 1) / groupSize);
     if (groups > kMostGroups)
         throw InputError(fmt::format("--set group={}: {} triangles would need {} work groups, over the limit of {}; use at least {}", groupSize,

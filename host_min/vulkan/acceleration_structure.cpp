@@ -10,19 +10,22 @@ namespace {
 
 using Usage = vk::BufferUsageFlagBits;
 
-vk::AccelerationStructureBuildGeometryInfoKHR buildInfo(vk::AccelerationStructureTypeKHR type, const vk::AccelerationStructureGeometryKHR& geometry) {
+vk::AccelerationStructureBuildGeometryInfoKHR buildInfo(vk::AccelerationStructureTypeKHR type,
+                                                        const vk::AccelerationStructureGeometryKHR& geometry) {
     return {type, vk::BuildAccelerationStructureFlagBitsKHR::ePreferFastTrace, vk::BuildAccelerationStructureModeKHR::eBuild, {}, {}, 1, &geometry};
 }
 
 vk::AccelerationStructureBuildSizesInfoKHR sizesOf(const Device& device, vk::AccelerationStructureTypeKHR type,
                                                    const vk::AccelerationStructureGeometryKHR& geometry, uint32_t primitives) {
-    return device.handle().getAccelerationStructureBuildSizesKHR(vk::AccelerationStructureBuildTypeKHR::eDevice, buildInfo(type, geometry), primitives);
+    return device.handle().getAccelerationStructureBuildSizesKHR(vk::AccelerationStructureBuildTypeKHR::eDevice, buildInfo(type, geometry),
+                                                                 primitives);
 }
 
 }  // namespace
 
-AccelerationStructure::AccelerationStructure(const Device& device, vk::AccelerationStructureTypeKHR type, const vk::AccelerationStructureGeometryKHR& geometry,
-                                             uint32_t primitives, std::optional<Buffer> instances)
+AccelerationStructure::AccelerationStructure(const Device& device, vk::AccelerationStructureTypeKHR type,
+                                             const vk::AccelerationStructureGeometryKHR& geometry, uint32_t primitives,
+                                             std::optional<Buffer> instances)
     : device_(&device),
       type_(type),
       geometry_(geometry),
@@ -34,8 +37,8 @@ AccelerationStructure::AccelerationStructure(const Device& device, vk::Accelerat
       structure_(device.handle(), vk::AccelerationStructureCreateInfoKHR({}, memory_.handle(), 0, sizes_.accelerationStructureSize, type)) {}
 
 AccelerationStructure AccelerationStructure::ofTriangles(const Device& device, const Buffer& vertices, const Buffer& indices, uint32_t triangles) {
-    const vk::AccelerationStructureGeometryTrianglesDataKHR data(vk::Format::eR32G32B32Sfloat, vertices.address(), 12, triangles == 0 ? 0 : 3 * triangles - 1,
-                                                                 vk::IndexType::eUint32, indices.address());
+    const vk::AccelerationStructureGeometryTrianglesDataKHR data(vk::Format::eR32G32B32Sfloat, vertices.address(), 12,
+                                                                 triangles == 0 ? 0 : 3 * triangles - 1, vk::IndexType::eUint32, indices.address());
     return {device, vk::AccelerationStructureTypeKHR::eBottomLevel, {vk::GeometryTypeKHR::eTriangles, data}, triangles, std::nullopt};
 }
 

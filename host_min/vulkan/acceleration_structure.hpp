@@ -12,8 +12,8 @@ class Recording;
 
 class AccelerationStructure {
 public:
-    /// Bottom level: `triangles` triangles, three 32-bit indices each into `vertices`, which holds 3 * triangles of them, packed floats. No ray meets a triangle whose
-    /// indices are the same. Both buffers have kInputUsage and outlive this. Throws WorkError when there is no memory left.
+    /// Bottom level: `triangles` triangles, three 32-bit indices each into `vertices`, which holds 3 * triangles of them, packed floats. No ray
+    /// meets a triangle whose indices are the same. Both buffers have kInputUsage and outlive this. Throws WorkError when there is no memory left.
     static AccelerationStructure ofTriangles(const Device& device, const Buffer& vertices, const Buffer& indices, uint32_t triangles);
     /// Top level: `bottom` once, untransformed.
     static AccelerationStructure ofInstance(const Device& device, const AccelerationStructure& bottom);
@@ -30,8 +30,8 @@ public:
         vk::BufferUsageFlagBits::eShaderDeviceAddress | vk::BufferUsageFlagBits::eAccelerationStructureBuildInputReadOnlyKHR;
 
 private:
-    AccelerationStructure(const Device& device, vk::AccelerationStructureTypeKHR type, const vk::AccelerationStructureGeometryKHR& geometry, uint32_t primitives,
-                          std::optional<Buffer> instances);
+    AccelerationStructure(const Device& device, vk::AccelerationStructureTypeKHR type, const vk::AccelerationStructureGeometryKHR& geometry,
+                          uint32_t primitives, std::optional<Buffer> instances);
 
     const Device* device_;
     vk::AccelerationStructureTypeKHR type_;

@@ -13,7 +13,8 @@ namespace {
 
 constexpr uint64_t kStagingBytes = 64u << 20;  // larger transfers go in pieces
 
-vk::raii::DeviceMemory allocate(const Device& device, const vk::MemoryRequirements& needs, vk::MemoryPropertyFlags wanted, vk::MemoryAllocateFlags flags = {}) {
+vk::raii::DeviceMemory allocate(const Device& device, const vk::MemoryRequirements& needs, vk::MemoryPropertyFlags wanted,
+                                vk::MemoryAllocateFlags flags = {}) {
     const vk::MemoryAllocateFlagsInfo more(flags);
     try {
         return {device.handle(), vk::MemoryAllocateInfo(needs.size, device.memoryType(needs.memoryTypeBits, wanted), flags ? &more : nullptr)};
@@ -26,7 +27,8 @@ vk::raii::DeviceMemory allocate(const Device& device, const vk::MemoryRequiremen
 
 }  // namespace
 
-Buffer::Buffer(const Device& device, uint64_t bytes, vk::BufferUsageFlags usage) : device_(&device), bytes_((std::max<uint64_t>(bytes, 1) + 15) / 16 * 16) {
+Buffer::Buffer(const Device& device, uint64_t bytes, vk::BufferUsageFlags usage)
+    : device_(&device), bytes_((std::max<uint64_t>(bytes, 1) + 15) / 16 * 16) {
     if ((usage & vk::BufferUsageFlagBits::eStorageBuffer) && bytes_ > device.facts().maxStorageBufferRange)
         throw InputError(fmt::format("a buffer of {} bytes is over the device's maxStorageBufferRange ({}): use a smaller scene or --size", bytes_,
                                      device.facts().maxStorageBufferRange));
@@ -74,7 +76,8 @@ std::vector<std::byte> Buffer::download() const {
 
 StagingBuffer::StagingBuffer(const Device& device, uint64_t bytes)
     : buffer_(device.handle(), vk::BufferCreateInfo({}, bytes, vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst)),
-      memory_(allocate(device, buffer_.getMemoryRequirements(), vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent)) {
+      memory_(
+          allocate(device, buffer_.getMemoryRequirements(), vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent)) {
     buffer_.bindMemory(*memory_, 0);
     data_ = static_cast<std::byte*>(memory_.mapMemory(0, VK_WHOLE_SIZE));
 }

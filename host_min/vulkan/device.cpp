@@ -39,7 +39,9 @@ vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validatio
     if (validation) {
         bool found = false;
         for (const auto& layer : context.enumerateInstanceLayerProperties()) found |= std::string_view(layer.layerName) == kValidationLayer;
-        if (!found) throw InputError("the Khronos validation layer is not installed (Debian: vulkan-validationlayers); set GNOMON_VALIDATE=0 to run without it");
+        if (!found)
+            throw InputError(
+                "the Khronos validation layer is not installed (Debian: vulkan-validationlayers); set GNOMON_VALIDATE=0 to run without it");
         layers.push_back(kValidationLayer);
         extensions = {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
         info.setPNext(&features);
@@ -48,7 +50,8 @@ vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validatio
     try {
         return {context, info};
     } catch (const vk::SystemError& error) {
-        throw InputError(fmt::format("no Vulkan instance ({}): install a Vulkan 1.3 driver (Debian: mesa-vulkan-drivers) or check VK_DRIVER_FILES", error.what()));
+        throw InputError(fmt::format("no Vulkan instance ({}): install a Vulkan 1.3 driver (Debian: mesa-vulkan-drivers) or check VK_DRIVER_FILES",
+                                     error.what()));
     }
 }
 
@@ -64,16 +67,18 @@ std::optional<uint32_t> findQueueFamily(const vk::raii::PhysicalDevice& device) 
 bool hasRayQuery(const vk::raii::PhysicalDevice& device) {
     const auto there = device.enumerateDeviceExtensionProperties();
     for (const char* wanted : kRayQueryExtensions)
-        if (std::none_of(there.begin(), there.end(), [&](const auto& extension) { return std::string_view(extension.extensionName) == wanted; })) return false;
-    const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features, vk::PhysicalDeviceAccelerationStructureFeaturesKHR,
-                                              vk::PhysicalDeviceRayQueryFeaturesKHR>();
+        if (std::none_of(there.begin(), there.end(), [&](const auto& extension) { return std::string_view(extension.extensionName) == wanted; }))
+            return false;
+    const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
+                                              vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayQueryFeaturesKHR>();
     return features.get<vk::PhysicalDeviceRayQueryFeaturesKHR>().rayQuery &&
            features.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().accelerationStructure &&
            features.get<vk::PhysicalDeviceVulkan12Features>().bufferDeviceAddress;
 }
 
 DeviceFacts factsOf(const vk::raii::PhysicalDevice& device) {
-    const auto properties = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties, vk::PhysicalDeviceSubgroupProperties>();
+    const auto properties =
+        device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties, vk::PhysicalDeviceSubgroupProperties>();
     const auto& base = properties.get<vk::PhysicalDeviceProperties2>().properties;
     const auto& driver = properties.get<vk::PhysicalDeviceDriverProperties>();
     DeviceFacts facts;
@@ -93,7 +98,8 @@ DeviceFacts factsOf(const vk::raii::PhysicalDevice& device) {
     facts.maxComputeWorkGroupInvocations = std::min(base.limits.maxComputeWorkGroupInvocations, base.limits.maxComputeWorkGroupSize[0]);
     const auto& subgroup = properties.get<vk::PhysicalDeviceSubgroupProperties>();
     facts.subgroupSize = subgroup.subgroupSize;
-    facts.subgroupBallot = bool(subgroup.supportedOperations & vk::SubgroupFeatureFlagBits::eBallot) && bool(subgroup.supportedStages & vk::ShaderStageFlagBits::eCompute);
+    facts.subgroupBallot = bool(subgroup.supportedOperations & vk::SubgroupFeatureFlagBits::eBallot) &&
+                           bool(subgroup.supportedStages & vk::ShaderStageFlagBits::eCompute);
     facts.dynamicRendering = facts.synchronization2 = false;
     if (base.apiVersion >= VK_API_VERSION_1_3) {
         const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan13Features>();

@@ -12,7 +12,8 @@ namespace gno::host {
 
 struct DeviceOptions {
     std::string wanted;       ///< GNOMON_DEVICE, see chooseDevice
-    bool validation = false;  ///< Khronos validation layer with synchronization validation; warnings and errors go to stderr and are counted (advice on speed is not asked for)
+    bool validation = false;  ///< Khronos validation layer with synchronization validation; warnings and errors go to stderr and are counted (advice
+                              ///< on speed is not asked for)
     static DeviceOptions fromEnvironment();  ///< GNOMON_DEVICE; GNOMON_VALIDATE=0|1, by default on in debug builds
 };
 

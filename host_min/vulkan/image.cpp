@@ -15,11 +15,14 @@ namespace {
 uint32_t bytesOf(vk::Format format) {
     switch (format) {
         case vk::Format::eR32G32B32A32Sfloat:
-        case vk::Format::eR32G32B32A32Uint: return 16;
+        case vk::Format::eR32G32B32A32Uint:
+            return 16;
         case vk::Format::eR32Uint:
         case vk::Format::eR32Sfloat:
-        case vk::Format::eD32Sfloat: return 4;
-        default: throw WorkError(fmt::format("image format {} is not in use here", vk::to_string(format)));
+        case vk::Format::eD32Sfloat:
+            return 4;
+        default:
+            throw WorkError(fmt::format("image format {} is not in use here", vk::to_string(format)));
     }
 }
 
@@ -37,19 +40,20 @@ Image::Image(const Device& device, uint32_t width, uint32_t height, vk::Format f
     const bool depth = format == vk::Format::eD32Sfloat;
     aspect_ = depth ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
     using Usage = vk::ImageUsageFlagBits;
-    const vk::ImageUsageFlags usage =
-        depth ? Usage::eDepthStencilAttachment | Usage::eSampled | Usage::eTransferSrc : Usage::eStorage | Usage::eColorAttachment | Usage::eTransferSrc | Usage::eTransferDst;
-    const vk::ImageFormatProperties limits = device.physical().getImageFormatProperties(format, vk::ImageType::e2D, vk::ImageTiling::eOptimal, usage);
+    const vk::ImageUsageFlags usage = depth ? Usage::eDepthStencilAttachment | Usage::eSampled | Usage::eTransferSrc
+                                            : Usage::eStorage | Usage::eColorAttachment | Usage::eTransferSrc | Usage::eTransferDst;
+    const vk::ImageFormatProperties limits =
+        device.physical().getImageFormatProperties(format, vk::ImageType::e2D, vk::ImageTiling::eOptimal, usage);
     const uint64_t bytes = uint64_t(width) * height * layers * texelBytes_;
     if (layers > limits.maxArrayLayers || bytes > limits.maxResourceSize)
-        throw WorkError(fmt::format("an image of {} bytes in {} layers is over the device's maxResourceSize ({}) or maxArrayLayers ({})", bytes, layers,
-                                    limits.maxResourceSize, limits.maxArrayLayers));
+        throw WorkError(fmt::format("an image of {} bytes in {} layers is over the device's maxResourceSize ({}) or maxArrayLayers ({})", bytes,
+                                    layers, limits.maxResourceSize, limits.maxArrayLayers));
     image_ = vk::raii::Image(device.handle(), vk::ImageCreateInfo({}, vk::ImageType::e2D, format, vk::Extent3D(width, height, 1), 1, layers,
                                                                   vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal, usage));
     const vk::MemoryRequirements needs = image_.getMemoryRequirements();
     try {
-        memory_ = vk::raii::DeviceMemory(device.handle(),
-                                         vk::MemoryAllocateInfo(needs.size, device.memoryType(needs.memoryTypeBits, vk::MemoryPropertyFlagBits::eDeviceLocal)));
+        memory_ = vk::raii::DeviceMemory(
+            device.handle(), vk::MemoryAllocateInfo(needs.size, device.memoryType(needs.memoryTypeBits, vk::MemoryPropertyFlagBits::eDeviceLocal)));
     } catch (const vk::SystemError&) {
         throw MemoryError(fmt::format("no device memory left for an image of {} bytes: use a smaller --size", needs.size));
     }

@@ -17,7 +17,7 @@ public:
     static Image array(const Device& device, uint32_t width, uint32_t height, vk::Format format, uint32_t layers);
 
     [[nodiscard]] vk::Image handle() const { return *image_; }
-    [[nodiscard]] vk::ImageView view() const { return *view_; }                               ///< all layers
+    [[nodiscard]] vk::ImageView view() const { return *view_; }                                 ///< all layers
     [[nodiscard]] vk::ImageView layer(uint32_t index) const { return *layerViews_.at(index); }  ///< one of an array
     [[nodiscard]] uint32_t layers() const { return layers_; }
     [[nodiscard]] vk::Format format() const { return format_; }
@@ -25,8 +25,8 @@ public:
     [[nodiscard]] vk::ImageAspectFlags aspect() const { return aspect_; }
     [[nodiscard]] uint32_t texelBytes() const { return texelBytes_; }
 
-    void clear(vk::ClearColorValue value);  ///< colour only; moves the image to the general layout; waits
-    void upload(std::span<const std::byte> rows);           ///< all texels, rows top to bottom, tightly packed; the image is in the general layout; waits
+    void clear(vk::ClearColorValue value);         ///< colour only; moves the image to the general layout; waits
+    void upload(std::span<const std::byte> rows);  ///< all texels, rows top to bottom, tightly packed; the image is in the general layout; waits
     [[nodiscard]] std::vector<std::byte> download(uint32_t layer = 0) const;  ///< rows top to bottom, tightly packed
 
     template <class T>

@@ -51,9 +51,12 @@ PassLayout::PassLayout(const Device& device, std::span<const ShaderInterface> st
     for (const ShaderInterface& stage : stages) {
         for (const ShaderBinding& binding : stage.bindings) {
             auto [at, isNew] = byPlace.try_emplace({binding.set, binding.binding}, binding.binding, binding.type, 1, stage.stage);
-            if (isNew) bindings_.push_back(binding);
-            else if (at->second.descriptorType != binding.type) throw std::logic_error("two stages disagree about the binding of " + binding.name);
-            else at->second.stageFlags |= stage.stage;
+            if (isNew)
+                bindings_.push_back(binding);
+            else if (at->second.descriptorType != binding.type)
+                throw std::logic_error("two stages disagree about the binding of " + binding.name);
+            else
+                at->second.stageFlags |= stage.stage;
         }
         if (stage.pushConstantBytes > 0) pushStages_ |= stage.stage;
         pushBytes_ = std::max(pushBytes_, stage.pushConstantBytes);
@@ -120,14 +123,15 @@ ComputePass::ComputePass(const Device& device, std::span<const uint32_t> spirv, 
     pipeline_ = vk::raii::Pipeline(device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage.info(), layout_.handle()));
 }
 
-void ComputePass::dispatch(Recording& recording, std::span<const Binding> resources, std::span<const std::byte> push, uint32_t groupsX, uint32_t groupsY) const {
+void ComputePass::dispatch(Recording& recording, std::span<const Binding> resources, std::span<const std::byte> push, uint32_t groupsX,
+                           uint32_t groupsY) const {
     recording.commands().bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline_);
     layout_.bind(recording, vk::PipelineBindPoint::eCompute, resources, push);
     recording.commands().dispatch(groupsX, groupsY, 1);
 }
 
-void ComputePass::dispatchIndirect(Recording& recording, std::span<const Binding> resources, std::span<const std::byte> push, const Buffer& arguments,
-                                   uint64_t offset) const {
+void ComputePass::dispatchIndirect(Recording& recording, std::span<const Binding> resources, std::span<const std::byte> push,
+                                   const Buffer& arguments, uint64_t offset) const {
     recording.commands().bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline_);
     layout_.bind(recording, vk::PipelineBindPoint::eCompute, resources, push);
     recording.commands().dispatchIndirect(arguments.handle(), offset);
@@ -158,8 +162,8 @@ RasterPass::RasterPass(const Device& device, std::string_view vertex, std::strin
     const vk::PipelineDynamicStateCreateInfo dynamicState({}, dynamic);
     vk::PipelineRenderingCreateInfo rendering(0, colors);
     if (depth) rendering.depthAttachmentFormat = vk::Format::eD32Sfloat;
-    vk::GraphicsPipelineCreateInfo info({}, stages, &vertexInput, &assembly, nullptr, &viewport, &raster, &multisample, &depthState, &blend, &dynamicState,
-                                        layout_.handle());
+    vk::GraphicsPipelineCreateInfo info({}, stages, &vertexInput, &assembly, nullptr, &viewport, &raster, &multisample, &depthState, &blend,
+                                        &dynamicState, layout_.handle());
     info.pNext = &rendering;
     pipeline_ = vk::raii::Pipeline(device.handle(), nullptr, info);
 }
@@ -168,8 +172,9 @@ void RasterPass::draw(Recording& recording, std::span<const Target> colors, cons
                       std::span<const std::byte> push, uint32_t vertices) const {
     std::vector<vk::RenderingAttachmentInfo> attachments;
     for (const Target& target : colors)
-        attachments.emplace_back(target.image->view(), vk::ImageLayout::eGeneral, vk::ResolveModeFlagBits::eNone, nullptr, vk::ImageLayout::eUndefined,
-                                 vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore, vk::ClearValue(target.clear));
+        attachments.emplace_back(target.image->view(), vk::ImageLayout::eGeneral, vk::ResolveModeFlagBits::eNone, nullptr,
+                                 vk::ImageLayout::eUndefined, vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore,
+                                 vk::ClearValue(target.clear));
     const vk::Extent2D extent = colors.front().image->extent();
     vk::RenderingInfo rendering({}, vk::Rect2D({0, 0}, extent), 1, 0, attachments);
     vk::RenderingAttachmentInfo depthAttachment;

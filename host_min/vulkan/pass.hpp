@@ -48,7 +48,8 @@ class ComputePass {
 public:
     ComputePass(const Device& device, std::string_view shader, const Specialization& constants = {});
     ComputePass(const Device& device, std::span<const uint32_t> spirv, const Specialization& constants = {});
-    void dispatch(Recording& recording, std::span<const Binding> resources, std::span<const std::byte> push, uint32_t groupsX, uint32_t groupsY = 1) const;
+    void dispatch(Recording& recording, std::span<const Binding> resources, std::span<const std::byte> push, uint32_t groupsX,
+                  uint32_t groupsY = 1) const;
     /// The group counts are three words of `arguments` at `offset`, written by an earlier dispatch.
     void dispatchIndirect(Recording& recording, std::span<const Binding> resources, std::span<const std::byte> push, const Buffer& arguments,
                           uint64_t offset) const;
@@ -58,8 +59,8 @@ private:
     vk::raii::Pipeline pipeline_{nullptr};
 };
 
-/// A vertex and a fragment shader over colour attachments and, with depth, a reversed depth buffer (clear 0, greater passes); without a fragment shader
-/// a depth buffer alone. Triangles, no culling.
+/// A vertex and a fragment shader over colour attachments and, with depth, a reversed depth buffer (clear 0, greater passes); without a fragment
+/// shader a depth buffer alone. Triangles, no culling.
 class RasterPass {
 public:
     RasterPass(const Device& device, std::string_view vertex, std::string_view fragment, std::span<const vk::Format> colors, bool depth,
@@ -69,8 +70,8 @@ public:
         vk::ClearColorValue clear;
     };
     /// Clears the attachments (in the general layout) and draws `vertices` vertices.
-    void draw(Recording& recording, std::span<const Target> colors, const Image* depth, std::span<const Binding> resources, std::span<const std::byte> push,
-              uint32_t vertices) const;
+    void draw(Recording& recording, std::span<const Target> colors, const Image* depth, std::span<const Binding> resources,
+              std::span<const std::byte> push, uint32_t vertices) const;
     /// Without a fragment shader: clears one layer of a depth array (in the general layout) and draws into it; the instance index is the layer's.
     /// `slopeBias` is Vulkan's depthBiasSlopeFactor.
     void drawDepth(Recording& recording, const Image& depth, uint32_t layer, float slopeBias, std::span<const Binding> resources,

@@ -25,9 +25,9 @@ public:
     /// A descriptor set that lives as long as this recording.
     vk::DescriptorSet allocateSet(vk::DescriptorSetLayout layout);
 
-    void barrier();                     ///< everything before is visible to everything after
-    void toGeneral(const Image& image); ///< from undefined: contents are lost
-    void beginPass(std::string name);   ///< barrier and first time stamp
+    void barrier();                      ///< everything before is visible to everything after
+    void toGeneral(const Image& image);  ///< from undefined: contents are lost
+    void beginPass(std::string name);    ///< barrier and first time stamp
     void endPass();
 
     /// Runs the commands, waits, and tells the time of each pass. Once. Throws WorkError when the device is lost.

@@ -52,9 +52,10 @@ std::vector<std::string> missingRequirements(const DeviceFacts& f) {
     need(f.maxPushConstantsSize >= 128, "maxPushConstantsSize 128");
     need(f.maxColorAttachments >= 4, "maxColorAttachments 4");
     if (f.isLavapipe && mesaVersion(f.driverInfo) < kOldestMesa)
-        missing.push_back(fmt::format("a newer lavapipe ({} gives silently wrong results; {}.{} or newer is needed: on Debian 12 install mesa-vulkan-drivers "
-                                      "from bookworm-backports, as host_min/setup.sh does)",
-                                      f.driverInfo.empty() ? "this one" : f.driverInfo, kOldestMesa.first, kOldestMesa.second));
+        missing.push_back(
+            fmt::format("a newer lavapipe ({} gives silently wrong results; {}.{} or newer is needed: on Debian 12 install mesa-vulkan-drivers "
+                        "from bookworm-backports, as host_min/setup.sh does)",
+                        f.driverInfo.empty() ? "this one" : f.driverInfo, kOldestMesa.first, kOldestMesa.second));
     return missing;
 }
 
@@ -64,11 +65,14 @@ size_t chooseDevice(std::span<const DeviceFacts> devices, std::string_view wante
     std::string refused;
     const bool isNumber = !wanted.empty() && std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c); });
     for (size_t i = 0; i < devices.size() && index == devices.size(); ++i) {
-        const bool named = wanted.empty() || (isNumber ? std::to_string(i) == wanted : lower(devices[i].deviceName).find(lower(wanted)) != std::string::npos);
+        const bool named =
+            wanted.empty() || (isNumber ? std::to_string(i) == wanted : lower(devices[i].deviceName).find(lower(wanted)) != std::string::npos);
         if (!named) continue;
         const auto missing = missingRequirements(devices[i]);
-        if (missing.empty()) index = i;
-        else refused += fmt::format("{}{} lacks {}", refused.empty() ? "" : "; ", devices[i].deviceName, fmt::join(missing, ", "));
+        if (missing.empty())
+            index = i;
+        else
+            refused += fmt::format("{}{} lacks {}", refused.empty() ? "" : "; ", devices[i].deviceName, fmt::join(missing, ", "));
     }
     if (index < devices.size()) return index;
     if (refused.empty()) throw InputError(fmt::format("no Vulkan device matches GNOMON_DEVICE={}: `gnomon device` lists them", wanted));

@@ -15,8 +15,8 @@ inline constexpr uint32_t kMostGroups = 65535;  ///< work groups in a row of a d
 struct DeviceFacts {
     std::string deviceName;
     std::string driverName;
-    std::string driverInfo;  ///< lavapipe: "Mesa 25.0.7 …"
-    bool isLavapipe = false; ///< VkDriverId LLVMPIPE
+    std::string driverInfo;   ///< lavapipe: "Mesa 25.0.7 …"
+    bool isLavapipe = false;  ///< VkDriverId LLVMPIPE
     uint32_t apiVersionMajor = 1, apiVersionMinor = 3;
     bool dynamicRendering = true, synchronization2 = true;
     bool hasGraphicsAndComputeQueue = true;
@@ -28,8 +28,8 @@ struct DeviceFacts {
     uint32_t maxColorAttachments = 4;
     uint32_t maxComputeWorkGroupInvocations = 1024;
     uint32_t subgroupSize = 8;
-    bool subgroupBallot = true;  ///< VK_SUBGROUP_FEATURE_BALLOT_BIT, in compute shaders
-    bool rayQuery = false;       ///< rayQuery, accelerationStructure and bufferDeviceAddress, and the extensions that carry them
+    bool subgroupBallot = true;     ///< VK_SUBGROUP_FEATURE_BALLOT_BIT, in compute shaders
+    bool rayQuery = false;          ///< rayQuery, accelerationStructure and bufferDeviceAddress, and the extensions that carry them
     uint32_t scratchAlignment = 1;  ///< minAccelerationStructureScratchOffsetAlignment, where rayQuery is true
 };
 

@@ -32,11 +32,20 @@ ShaderInterface reflect(std::span<const uint32_t> spirv) {
     const spirv_cross::Compiler compiler(spirv.data(), spirv.size());
     ShaderInterface result{};
     switch (compiler.get_execution_model()) {
-        case spv::ExecutionModelGLCompute: result.stage = vk::ShaderStageFlagBits::eCompute; break;
-        case spv::ExecutionModelVertex: result.stage = vk::ShaderStageFlagBits::eVertex; break;
-        case spv::ExecutionModelFragment: result.stage = vk::ShaderStageFlagBits::eFragment; break;
-        case spv::ExecutionModelGeometry: result.stage = vk::ShaderStageFlagBits::eGeometry; break;
-        default: throw std::logic_error("a shader stage that is not in use here");
+        case spv::ExecutionModelGLCompute:
+            result.stage = vk::ShaderStageFlagBits::eCompute;
+            break;
+        case spv::ExecutionModelVertex:
+            result.stage = vk::ShaderStageFlagBits::eVertex;
+            break;
+        case spv::ExecutionModelFragment:
+            result.stage = vk::ShaderStageFlagBits::eFragment;
+            break;
+        case spv::ExecutionModelGeometry:
+            result.stage = vk::ShaderStageFlagBits::eGeometry;
+            break;
+        default:
+            throw std::logic_error("a shader stage that is not in use here");
     }
     const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
     const auto add = [&](const auto& list, vk::DescriptorType type) {

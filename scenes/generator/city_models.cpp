@@ -26,8 +26,10 @@ void addWindows(Model& model, const CityPaints& paints, const Facade& facade, in
             const double wide = pitch * 0.46;
             const glm::dvec3 low = facade.corner + facade.right * (pitch * (column + 0.5) - wide / 2) + glm::dvec3(0, bottom, 0);
             addOnWall(model.of(paints.window), low, facade.right, facade.out, {wide, 1.55, 0.03});
-            addOnWall(model.of(paints.trim), low - facade.right * 0.11 - glm::dvec3(0, 0.13, 0), facade.right, facade.out, {wide + 0.22, 0.12, 0.22});
-            addOnWall(model.of(paints.trim), low - facade.right * 0.08 + glm::dvec3(0, 1.56, 0), facade.right, facade.out, {wide + 0.16, 0.14, 0.14});
+            addOnWall(model.of(paints.trim), low - facade.right * 0.11 - glm::dvec3(0, 0.13, 0), facade.right, facade.out,
+                      {wide + 0.22, 0.12, 0.22});
+            addOnWall(model.of(paints.trim), low - facade.right * 0.08 + glm::dvec3(0, 1.56, 0), facade.right, facade.out,
+                      {wide + 0.16, 0.14, 0.14});
             if (!balconies || floor == 0 || column % 2 == 0) continue;
             const glm::dvec3 slab = low - facade.right * 0.4 - glm::dvec3(0, 0.75, 0);
             addOnWall(model.of(paints.trim), slab, facade.right, facade.out, {wide + 0.8, 0.14, 1.15});
@@ -41,7 +43,8 @@ void addWindows(Model& model, const CityPaints& paints, const Facade& facade, in
         }
 }
 
-void addFacades(Model& model, const CityPaints& paints, double x, double z, int columns, int sideColumns, int floors, double storey, bool balconies) {
+void addFacades(Model& model, const CityPaints& paints, double x, double z, int columns, int sideColumns, int floors, double storey,
+                bool balconies) {
     const Facade facades[] = {{{-x, 0, z}, {1, 0, 0}, {0, 0, 1}, 2 * x},
                               {{x, 0, -z}, {-1, 0, 0}, {0, 0, -1}, 2 * x},
                               {{x, 0, z}, {0, 0, -1}, {1, 0, 0}, 2 * z},

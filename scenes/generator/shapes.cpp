@@ -193,7 +193,8 @@ void addLeaf(Mesh& mesh, const glm::dvec3& stem, const glm::dvec3& along, const 
     mesh.triangle(a, d, c);
 }
 
-void addBlade(Mesh& mesh, const glm::dvec3& root, const glm::dvec3& growth, const glm::dvec3& side, const glm::dvec3& bend, double width, int parts) {
+void addBlade(Mesh& mesh, const glm::dvec3& root, const glm::dvec3& growth, const glm::dvec3& side, const glm::dvec3& bend, double width,
+              int parts) {
     uint32_t left = mesh.vertex(root - side * (width / 2));
     uint32_t right = mesh.vertex(root + side * (width / 2));
     for (int i = 1; i <= parts; ++i) {

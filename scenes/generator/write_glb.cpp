@@ -184,7 +184,8 @@ void addNodes(tinygltf::Model& file, const Draft& draft) {
         if (node.scale != glm::dvec3(1)) out.scale = list(node.scale);
         out.mesh = node.model;
         if (node.camera) out.camera = 0;
-        if (node.light >= 0) out.extensions["KHR_lights_punctual"] = tinygltf::Value(tinygltf::Value::Object{{"light", tinygltf::Value(node.light)}});
+        if (node.light >= 0)
+            out.extensions["KHR_lights_punctual"] = tinygltf::Value(tinygltf::Value::Object{{"light", tinygltf::Value(node.light)}});
         const int index = static_cast<int>(file.nodes.size());
         if (node.parent < 0)
             scene.nodes.push_back(index);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // gnomon-bench-clusters paths|jobs|sizes|against|product SCENE... : the measurements of the cluster hierarchy as Markdown tables. Operations do not
-// depend on the machine (a few differ from run to run: who clears a bit first spares others the test); times are to be read as ratios within one run.
+// depend on the machine (a few differ from run to run: who clears a bit first spares others the test); times are to be read as ratios within one
+// run.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -30,9 +31,9 @@ int run(int argc, char** argv) {
     app.add_option("--csv", job.csv, "file for the numbers of every frame (paths)");
     app.add_flag("--defaults", job.defaults, "default settings only (product)");
     app.add_option("--keep", job.keep, "folder to write the view samples to (product)")->check(CLI::ExistingDirectory);
-    app.add_option(
-           "--given", job.given,
-           "folder to take the view samples from instead of rasterising (product): a driver that cannot rasterise at a subgroup width still computes")
+    app.add_option("--given", job.given,
+                   "folder to take the view samples from instead of rasterising (product): a driver that cannot rasterise at a subgroup width still "
+                   "computes")
         ->check(CLI::ExistingDirectory);
     if (!bench::parse(app, argc, argv)) return 0;
     bench::readSize(size, job.width, job.height);

@@ -87,7 +87,8 @@ uint64_t printProduct(host::PassCache& passes, const ClusterJob& job) {
             const std::vector<uint8_t> casters = inputs.definitionCasters();
             const host::OracleAnswer answer = host::makeOracle()->ask({frame.triangles, casters, inputs.light(), samples}, [](double) {});
             const std::string what = fmt::format("{} light {}", stem, light);
-            for (const char* technique : {"d-hybrid", "forest", "light-bvh", "light-grid"}) check(inputs, answer, what, technique, {}, job.precision, sum);
+            for (const char* technique : {"d-hybrid", "forest", "light-bvh", "light-grid"})
+                check(inputs, answer, what, technique, {}, job.precision, sum);
             if (job.defaults) {
                 check(inputs, answer, what, "ptsv-2011", {}, job.precision, sum);
                 check(inputs, answer, what, "ptsv", {}, job.precision, sum);

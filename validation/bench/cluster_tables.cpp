@@ -141,7 +141,8 @@ void printPaths(host::PassCache& passes, const ClusterJob& job) {
 
 void printJobs(host::PassCache& passes, const ClusterJob& job) {
     fmt::print(
-        "| scene | split | jobs of pass 1 | jobs of pass 2 | worst job | average job | 1,024 largest, average | worst/average | operations, millions "
+        "| scene | split | jobs of pass 1 | jobs of pass 2 | worst job | average job | 1,024 largest, average | worst/average | operations, "
+        "millions "
         "| traverse ms |\n|{}\n",
         "---|---|---|---|---|---|---|---|---|---|");
     for (const std::string& scene : job.scenes) {
@@ -199,8 +200,8 @@ void printAgainst(host::PassCache& passes, const ClusterJob& job) {
         const Numbers clusters = measureOne(inputs, {"", "ptsv", {}}, job.precision, 3);
         host::StructureCache structures;
         host::Technique& hybrid = host::techniqueByName("d-hybrid");
-        const host::TechniqueResult top =
-            hybrid.run(inputs, structures, host::Settings(hybrid.info().settings, std::vector<std::string>()), {job.precision, 3, true, false, true});
+        const host::TechniqueResult top = hybrid.run(inputs, structures, host::Settings(hybrid.info().settings, std::vector<std::string>()),
+                                                     {job.precision, 3, true, false, true});
         double topMs = 0;
         for (const host::RecordPass& pass : top.passes) topMs += pass.ms;
         const double samples = double(std::max<uint64_t>(1, inputs.sampleCount()));

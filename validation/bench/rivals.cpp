@@ -26,8 +26,10 @@ const study::Peer* peerByName(const std::string& name) {
 std::vector<std::string> splitAtColons(const std::string& text) {
     std::vector<std::string> parts(1);
     for (const char c : text) {
-        if (c == ':') parts.emplace_back();
-        else parts.back() += c;
+        if (c == ':')
+            parts.emplace_back();
+        else
+            parts.back() += c;
     }
     return parts;
 }
@@ -93,8 +95,9 @@ void measureTechnique(const Subject& subject, const RivalJob& job, const Contest
     if (knowsSeed(who)) given.push_back(fmt::format("seed={}", seed));
     const bool count = first && (seed == 1 || knowsSeed(who));
     host::StructureCache structures;
-    const host::TechniqueResult out = technique.run(inputs, structures, host::Settings(technique.info().settings, given),
-                                                    {precisionOf(technique.info(), job.base.precisions.front()), 1, count, false, first && seed == 1});
+    const host::TechniqueResult out =
+        technique.run(inputs, structures, host::Settings(technique.info().settings, given),
+                      {precisionOf(technique.info(), job.base.precisions.front()), 1, count, false, first && seed == 1});
     double build = 0, query = 0;
     for (const host::RecordPass& pass : out.passes) (host::isBuildPass(pass.name) ? build : query) += pass.ms;
     cost.buildMs.push_back(build);
@@ -148,8 +151,10 @@ std::vector<Cost> measure(host::PassCache& passes, const RivalJob& job, const Jo
             for (size_t i = 0; i < job.contestants.size(); ++i) {
                 const Contestant& who = job.contestants[i];
                 progress.show(fmt::format("{} {}", stem(one.scene), who.label), double(seed - 1) / one.seeds);
-                if (who.peer) measurePeer(subject, job, who, seed == 1 && repeat == 0, costs[i]);
-                else measureTechnique(subject, job, who, seed, repeat == 0, costs[i], lists[i]);
+                if (who.peer)
+                    measurePeer(subject, job, who, seed == 1 && repeat == 0, costs[i]);
+                else
+                    measureTechnique(subject, job, who, seed, repeat == 0, costs[i], lists[i]);
             }
     for (size_t i = 0; i < costs.size(); ++i) {
         costs[i].lit = statistic(lists[i].lit);
@@ -202,7 +207,8 @@ uint64_t printRivals(host::PassCache& passes, const RivalJob& job) {
     uint64_t wrong = 0;
     for (const auto& [width, height] : job.sizes) {
         fmt::print(
-            "\n{}x{}:\n\n| scene | casters | samples | | visits lit | shadowed | all | to first | worst sample | mean of tiles' worst | pairs/caster | bytes/caster | build ms | query ms | "
+            "\n{}x{}:\n\n| scene | casters | samples | | visits lit | shadowed | all | to first | worst sample | mean of tiles' worst | "
+            "pairs/caster | bytes/caster | build ms | query ms | "
             "build | query | both |{}\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|{}\n",
             width, height, job.base.check ? " wrong |" : "", job.base.check ? "---|" : "");
         std::vector<Mean> visits(job.contestants.size()), both(job.contestants.size()), query(job.contestants.size()), bytes(job.contestants.size());
@@ -220,11 +226,14 @@ uint64_t printRivals(host::PassCache& passes, const RivalJob& job) {
                 const bool counted = !c.allBySeed.empty() && !reference.allBySeed.empty() && reference.all.mean > 0;
                 const double toFirst = counted ? c.all.mean / reference.all.mean : 0;
                 const double bothRatio = medianRatio(totals(c), totals(reference)), queryRatio = medianRatio(c.queryMs, reference.queryMs);
-                const auto digits = [&](const Statistic& s, int places) { return c.allBySeed.empty() ? "-" : c.allBySeed.size() > 1 ? s.text(places) : fmt::format("{:.{}f}", s.mean, places); };
-                fmt::print("| {} | {} | {} | `{}` | {} | {} | {} | {} | {} | {} | {} | {:.1f} | {:.0f} | {:.0f} | {:.2f} | {:.2f} | {:.2f} |", stem(scene), casters, samples,
-                           job.contestants[i].label, digits(c.lit, 1), digits(c.shadowed, 1), digits(c.all, 1), counted ? fmt::format("{:.3f}", toFirst) : "-",
-                           digits(c.worst, 0), digits(c.tileWorst, 1), c.pairsPerCaster.empty() ? "-" : c.pairsPerCaster, c.bytesPerCaster, statistic(c.buildMs).mean,
-                           statistic(c.queryMs).mean, medianRatio(c.buildMs, reference.buildMs), queryRatio, bothRatio);
+                const auto digits = [&](const Statistic& s, int places) {
+                    return c.allBySeed.empty() ? "-" : c.allBySeed.size() > 1 ? s.text(places) : fmt::format("{:.{}f}", s.mean, places);
+                };
+                fmt::print("| {} | {} | {} | `{}` | {} | {} | {} | {} | {} | {} | {} | {:.1f} | {:.0f} | {:.0f} | {:.2f} | {:.2f} | {:.2f} |",
+                           stem(scene), casters, samples, job.contestants[i].label, digits(c.lit, 1), digits(c.shadowed, 1), digits(c.all, 1),
+                           counted ? fmt::format("{:.3f}", toFirst) : "-", digits(c.worst, 0), digits(c.tileWorst, 1),
+                           c.pairsPerCaster.empty() ? "-" : c.pairsPerCaster, c.bytesPerCaster, statistic(c.buildMs).mean, statistic(c.queryMs).mean,
+                           medianRatio(c.buildMs, reference.buildMs), queryRatio, bothRatio);
                 fmt::print("{}\n", job.base.check ? fmt::format(" {} |", c.wrong) : "");
                 visits[i].add(toFirst);
                 both[i].add(bothRatio);
@@ -236,9 +245,11 @@ uint64_t printRivals(host::PassCache& passes, const RivalJob& job) {
             std::fflush(stdout);
         }
         if (job.scenes.size() < 2) continue;
-        fmt::print("\n| geometric mean of {} scenes | visits | bytes/caster | query | both | both, slowest scene |\n|---|---|---|---|---|---|\n", job.scenes.size());
+        fmt::print("\n| geometric mean of {} scenes | visits | bytes/caster | query | both | both, slowest scene |\n|---|---|---|---|---|---|\n",
+                   job.scenes.size());
         for (size_t i = 0; i < job.contestants.size(); ++i)
-            fmt::print("| `{}` | {} | {} | {} | {} | {:.2f} |\n", job.contestants[i].label, visits[i].text(), bytes[i].text(), query[i].text(), both[i].text(), slowest[i]);
+            fmt::print("| `{}` | {} | {} | {} | {} | {:.2f} |\n", job.contestants[i].label, visits[i].text(), bytes[i].text(), query[i].text(),
+                       both[i].text(), slowest[i]);
         std::fflush(stdout);
     }
     return wrong;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Techniques with settings, and Embree, on the same view samples: what a sample costs, lit and shadowed apart, and the time of each as a ratio to the first.
+// Techniques with settings, and Embree, on the same view samples: what a sample costs, lit and shadowed apart, and the time of each as a ratio to
+// the first.
 #pragma once
 #include <string>
 #include <vector>
@@ -36,8 +37,8 @@ struct Cost {
     std::string pairsPerCaster;            ///< of a forest or a grid; else empty
 };
 
-/// A Markdown table per size, a row per scene and contestant, and geometric means over the scenes. Contestants take turns, so that a busy machine is busy for all of them.
-/// Returns how many samples were answered wrong.
+/// A Markdown table per size, a row per scene and contestant, and geometric means over the scenes. Contestants take turns, so that a busy machine is
+/// busy for all of them. Returns how many samples were answered wrong.
 uint64_t printRivals(host::PassCache& passes, const RivalJob& job);
 
 }  // namespace gno::bench

@@ -128,7 +128,8 @@ void printOwn(host::PassCache& passes, const Job& base, const std::vector<std::s
         }
     }
     fmt::print(
-        "\nAn exact call is one plane's exact sign; fp32 gives most of them at the caster's own vertices, the integers the rest. Shares and integers "
+        "\nAn exact call is one plane's exact sign; fp32 gives most of them at the caster's own vertices, the integers the rest. Shares and "
+        "integers "
         "are d-hybrid's. Beside own: the\n"
         "cap's owner shares a vertex with the sample's own caster, or its plane holds all of it.\n");
 }

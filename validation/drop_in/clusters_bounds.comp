@@ -13,7 +13,8 @@ void main() {
     uint at = gl_GlobalInvocationID.x;
     vec4 result;
     GnoClusterBounds box = gnoClusterBox(push.light, push.viewer.xyz, push.position.xyz);
-    GnoClusterBounds cell = gnoClusterCell(view.frame, view.layout_, push.light, uvec2(at), uvec2(at + 1u), push.position.x, push.position.y, push.position.w);
+    GnoClusterBounds cell =
+        gnoClusterCell(view.frame, view.layout_, push.light, uvec2(at), uvec2(at + 1u), push.position.x, push.position.y, push.position.w);
     vec2 sides = gnoClusterRange(view.frame, push.light, box, push.viewer) + gnoClusterRange(view.frame, push.light, cell, push.viewer);
     vec2 slope = gnoClusterSlope(view.frame, uvec2(at));
     result = vec4(sides, gnoClusterOutside(view.frame, push.position.xyz, slope, slope), 0.0);

@@ -22,9 +22,9 @@ layout(set = 1, binding = 7, std430) coherent buffer Engine {
 } engine;
 // Names that a careless module would capture, of types that fit nowhere else: a local of that name inside the module would not compile.
 struct Trap { mat4x3 m; };
-Trap node, i, s, index, p, t, q, a, b, c, light, point, side, caster, first, next, stack, used, depth, plane, link, at, root, own, l, n, x, y, z, key, tile,
-     pixel, word, mask, box, low, high, child, slot, job, slice, volume, bounds, margin, range, dark, found, count, levels, pending, split, start, alive,
-     accepted, inside;
+Trap node, i, s, index, p, t, q, a, b, c, light, point, side, caster, first, next, stack, used, depth, plane, link, at, root, own, l, n, x, y, z,
+    key, tile, pixel, word, mask, box, low, high, child, slot, job, slice, volume, bounds, margin, range, dark, found, count, levels, pending, split,
+    start, alive, accepted, inside;
 float keep(Trap trap) { return trap.m[0][0]; }
 #define TRAPS (keep(node) + keep(i) + keep(s) + keep(index) + keep(p) + keep(t) + keep(q) + keep(a) + keep(b) + keep(c) + keep(light) + \
                keep(point) + keep(side) + keep(caster) + keep(first) + keep(next) + keep(stack) + keep(used) + keep(depth) + keep(plane) + \

@@ -9,9 +9,10 @@ layout(set = 1, binding = 6, std430) readonly buffer Corners { vec4 corner[]; } 
 struct Trap { mat4x3 m; };
 Trap node, i, s, index, p, t, q, a, b, c, light, point, side, caster, first, next, stack, used, depth, plane, link, at, root, own, l, n, x, y, z;
 float keep(Trap trap) { return trap.m[0][0]; }
-#define TRAPS (keep(node) + keep(i) + keep(s) + keep(index) + keep(p) + keep(t) + keep(q) + keep(a) + keep(b) + keep(c) + keep(light) + keep(point) + \
-               keep(side) + keep(caster) + keep(first) + keep(next) + keep(stack) + keep(used) + keep(depth) + keep(plane) + keep(link) + keep(at) + \
-               keep(root) + keep(own) + keep(l) + keep(n) + keep(x) + keep(y) + keep(z))
+#define TRAPS                                                                                                                               \
+    (keep(node) + keep(i) + keep(s) + keep(index) + keep(p) + keep(t) + keep(q) + keep(a) + keep(b) + keep(c) + keep(light) + keep(point) + \
+     keep(side) + keep(caster) + keep(first) + keep(next) + keep(stack) + keep(used) + keep(depth) + keep(plane) + keep(link) + keep(at) +  \
+     keep(root) + keep(own) + keep(l) + keep(n) + keep(x) + keep(y) + keep(z))
 uint trapped(uint number, float traps) { return traps == 0.0 ? number : number + 1u; }
 #define GNO_LOAD_CULL_PLANE(number) push.hull[trapped(number, TRAPS)]
 #define GNO_ORIENT3D_ON_EXACT TRAPS

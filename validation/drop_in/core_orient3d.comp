@@ -12,7 +12,8 @@ void main() {
     uint at = gl_GlobalInvocationID.x;
     vec4 result;
     GnoCaster t = GNO_LOAD_CASTER(at);
-    bool inShadow = gnoInShadowOf(push.light, t, push.position.xyz) || gnoInShadowOfFacing(push.light, t, push.position.xyz, gnoFacing(push.light, t));
+    bool inShadow =
+        gnoInShadowOf(push.light, t, push.position.xyz) || gnoInShadowOfFacing(push.light, t, push.position.xyz, gnoFacing(push.light, t));
     result = vec4(gnoExactNormal(t), float(gnoOrient3d(t.a, t.b, t.c, push.position.xyz) + gnoOrient3dLight(push.light, t.a, t.b, t.c)));
     if (inShadow) result = -result;
     results.v[at] = result;

@@ -10,7 +10,8 @@ layout(location = 0) out vec4 result;
 void main() {
     uint at = uint(gl_FragCoord.x);
     GnoCaster t = GNO_LOAD_CASTER(at);
-    bool inShadow = gnoInShadowOf(push.light, t, push.position.xyz) || gnoInShadowOfFacing(push.light, t, push.position.xyz, gnoFacing(push.light, t));
+    bool inShadow =
+        gnoInShadowOf(push.light, t, push.position.xyz) || gnoInShadowOfFacing(push.light, t, push.position.xyz, gnoFacing(push.light, t));
     result = vec4(gnoExactNormal(t), float(gnoOrient3d(t.a, t.b, t.c, push.position.xyz) + gnoOrient3dLight(push.light, t.a, t.b, t.c)));
     if (inShadow) result = -result;
 }

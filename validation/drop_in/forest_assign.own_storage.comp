@@ -5,17 +5,28 @@
 layout(push_constant) uniform Push { vec4 light; vec4 position; uint count; uint seed; } push;
 #include "gnomon/forest/cells.h"
 layout(set = 1, binding = 6, std430) readonly buffer Corners { vec4 corner[]; } corners;
-layout(set = 1, binding = 7, std430) buffer Forest { GnoForestHeader header; GnoForestGrid grid; GnoForestCell cells[4096]; GnoForestFew few[4096]; GnoForestPair pairs[4096]; } forest;
+layout(set = 1, binding = 7, std430) buffer Forest {
+    GnoForestHeader header;
+    GnoForestGrid grid;
+    GnoForestCell cells[4096];
+    GnoForestFew few[4096];
+    GnoForestPair pairs[4096];
+}
+forest;
 // Names that a careless module would capture, of types that fit nowhere else: a local of that name inside the module would not compile.
 struct Trap { mat4x3 m; };
-Trap cell, i, s, at, p, t, q, v, a, b, c, n, r, x, y, z, light, face, caster, least, most, depth, plane, grid, count, slot, span, lane, lanes, width, height, step, place, few, kept, seen, size, wide;
+Trap cell, i, s, at, p, t, q, v, a, b, c, n, r, x, y, z, light, face, caster, least, most, depth, plane, grid, count, slot, span, lane, lanes, width,
+    height, step, place, few, kept, seen, size, wide;
 float keep(Trap trap) { return trap.m[0][0]; }
-#define TRAPS (keep(cell) + keep(i) + keep(s) + keep(at) + keep(p) + keep(t) + keep(q) + keep(v) + keep(a) + keep(b) + keep(c) + keep(n) + keep(r) + keep(x) + keep(y) + \
-               keep(z) + keep(light) + keep(face) + keep(caster) + keep(least) + keep(most) + keep(depth) + keep(plane) + keep(grid) + keep(count) + keep(slot) + \
-               keep(span) + keep(lane) + keep(lanes) + keep(width) + keep(height) + keep(step) + keep(place) + \
-               keep(few) + keep(kept) + keep(seen) + keep(size) + keep(wide))
+#define TRAPS                                                                                                                                    \
+    (keep(cell) + keep(i) + keep(s) + keep(at) + keep(p) + keep(t) + keep(q) + keep(v) + keep(a) + keep(b) + keep(c) + keep(n) + keep(r) +       \
+     keep(x) + keep(y) + keep(z) + keep(light) + keep(face) + keep(caster) + keep(least) + keep(most) + keep(depth) + keep(plane) + keep(grid) + \
+     keep(count) + keep(slot) + keep(span) + keep(lane) + keep(lanes) + keep(width) + keep(height) + keep(step) + keep(place) + keep(few) +      \
+     keep(kept) + keep(seen) + keep(size) + keep(wide))
 uint trapped(uint number, float traps) { return traps == 0.0 ? number : number + 1u; }
-GnoCaster engineCaster(uint number) { return GnoCaster(corners.corner[3u * number].xyz, corners.corner[3u * number + 1u].xyz, corners.corner[3u * number + 2u].xyz); }
+GnoCaster engineCaster(uint number) {
+    return GnoCaster(corners.corner[3u * number].xyz, corners.corner[3u * number + 1u].xyz, corners.corner[3u * number + 2u].xyz);
+}
 vec4 engineLight(float traps) { return push.light + vec4(traps); }
 #define GNO_LIGHT engineLight(TRAPS)
 #define GNO_FOREST_GRID forest.grid

@@ -17,6 +17,7 @@ void main() {
     uvec4 rectangle = gnoCellRectangle(push.light, view.grid, at % view.grid.faces, volume);
     uint cell = gnoCellOf(push.light, view.grid, gnoCellPlace(push.light, view.grid, 0u, push.position.xyz));
     bool missed = gnoCellMissed(push.light, view.grid, 0u, rectangle.xy, volume);
-    result = vec4(rectangle) + vec4(cell, missed, gnoCellCovered(push.light, view.grid, 0u, rectangle.zw, volume), gnoCellCount(view.grid.resolution, view.grid.faces));
+    result = vec4(rectangle) + vec4(cell, missed, gnoCellCovered(push.light, view.grid, 0u, rectangle.zw, volume),
+                                    gnoCellCount(view.grid.resolution, view.grid.faces));
     results.v[at] = result;
 }

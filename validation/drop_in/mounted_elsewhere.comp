@@ -26,7 +26,8 @@ void main() {
     gnoTopSetUp(at, gnoCasterFacing(gnoCasterState(push.light, t, true, GNO_CULL_FRONT, 0u)));
     bool inserted = gnoTopInsert(gnoPermute(at, push.count, push.seed));
     GnoViewSample s = gnoMakeViewSample(gnoSnapToGrid(push.position.xyz), at, t, push.viewer, push.light);
-    bool dark = gnoTopQueryStack(s) || gnoTopQueryStackless(s) || gnoTopQueryHybrid(s) || gnoDecideInShadow(push.light, t, s.position, GNO_PRECISION_CERTIFIED);
+    bool dark = gnoTopQueryStack(s) || gnoTopQueryStackless(s) || gnoTopQueryHybrid(s) ||
+                gnoDecideInShadow(push.light, t, s.position, GNO_PRECISION_CERTIFIED);
     gnoClusterSetUpVolume(at, gnoFacing(push.light, t));
     gnoClusterAddTile(gl_WorkGroupID.xy, gl_LocalInvocationID.x, s, GNO_CLUSTER_MASKS_OF_NODES);
     dark = dark || gnoClusterInShadow(uvec2(at, push.seed), s.position);

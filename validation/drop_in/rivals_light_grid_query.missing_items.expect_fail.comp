@@ -5,7 +5,18 @@
 layout(push_constant) uniform Push { vec4 light; vec4 position; uint count; uint seed; } push;
 #include "gnomon/forest/cells.h"
 #include "gnomon/rivals/light_grid.h"
-layout(set = 0, binding = 1, std430) coherent buffer Ours { GnoForestHeader forest; GnoForestGrid grid; GnoForestCell cells[64]; GnoForestPair pairs[64]; GnoForestFew few[64]; GnoLightGridHeader header; GnoLightGridList lists[64]; uint depths[64]; GnoLightGridItem items[64]; } ours;
+layout(set = 0, binding = 1, std430) coherent buffer Ours {
+    GnoForestHeader forest;
+    GnoForestGrid grid;
+    GnoForestCell cells[64];
+    GnoForestPair pairs[64];
+    GnoForestFew few[64];
+    GnoLightGridHeader header;
+    GnoLightGridList lists[64];
+    uint depths[64];
+    GnoLightGridItem items[64];
+}
+ours;
 #define GNO_LIGHT_GRID_LISTS ours.lists
 #define GNO_FOREST_GRID ours.grid
 #define GNO_LIGHT push.light

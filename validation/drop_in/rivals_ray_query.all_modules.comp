@@ -89,7 +89,8 @@ void main() {
     gnoTopSetUp(at, gnoCasterFacing(gnoCasterState(push.light, t, true, GNO_CULL_FRONT, 0u)));
     bool inserted = gnoTopInsert(gnoPermute(at, push.count, push.seed));
     GnoViewSample s = gnoMakeViewSample(gnoSnapToGrid(push.position.xyz), at, t, push.viewer, push.light);
-    bool dark = gnoRayQueryInShadow(s) || gnoTopQueryStack(s) || gnoTopQueryStackless(s) || gnoTopQueryHybrid(s) || gnoDecideInShadow(push.light, t, s.position, GNO_PRECISION_CERTIFIED);
+    bool dark = gnoRayQueryInShadow(s) || gnoTopQueryStack(s) || gnoTopQueryStackless(s) || gnoTopQueryHybrid(s) ||
+                gnoDecideInShadow(push.light, t, s.position, GNO_PRECISION_CERTIFIED);
     gnoAddTransmittance(at, gnoTransmittance(at, t, push.light, s.position));
     gnoClusterSetUpVolume(at, gnoFacing(push.light, t));
     gnoClusterMeasureDepth(s, gl_LocalInvocationID.x);

@@ -16,8 +16,10 @@ uint trapped(uint number, float traps) { return traps == 0.0 ? number : number +
 vec4 engineLight(float traps) { return push.light + vec4(traps); }
 #define GNO_LIGHT engineLight(TRAPS)
 #define GNO_RAY_QUERY_STRUCTURE worlds[1]
-#define GNO_RAY_QUERY_CASTER(number) \
-    trapped(firstCasters.first[rayQueryGetIntersectionInstanceCustomIndexEXT(number, false)] + uint(rayQueryGetIntersectionPrimitiveIndexEXT(number, false)), TRAPS)
+#define GNO_RAY_QUERY_CASTER(number)                                                           \
+    trapped(firstCasters.first[rayQueryGetIntersectionInstanceCustomIndexEXT(number, false)] + \
+                uint(rayQueryGetIntersectionPrimitiveIndexEXT(number, false)),                 \
+            TRAPS)
 #include "gnomon/rivals/ray_query.glsl"
 layout(local_size_x = 64) in;
 layout(set = 3, binding = 0, std430) writeonly buffer Results { vec4 v[]; } results;

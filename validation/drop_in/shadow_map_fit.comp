@@ -14,6 +14,7 @@ void main() {
     uint at = gl_GlobalInvocationID.x;
     vec4 result;
     gnoShadowMapMeasure(GnoViewSample(push.position.xyz, at));
-    result = gnoShadowMapFit(uvec4(GNO_SHADOW_MAP_BOUNDS[0], GNO_SHADOW_MAP_BOUNDS[1], GNO_SHADOW_MAP_BOUNDS[2], GNO_SHADOW_MAP_BOUNDS[3]), vec4(-1.0, 1.0, -1.0, 1.0));
+    result = gnoShadowMapFit(uvec4(GNO_SHADOW_MAP_BOUNDS[0], GNO_SHADOW_MAP_BOUNDS[1], GNO_SHADOW_MAP_BOUNDS[2], GNO_SHADOW_MAP_BOUNDS[3]),
+                             vec4(-1.0, 1.0, -1.0, 1.0));
     results.v[at] = result;
 }

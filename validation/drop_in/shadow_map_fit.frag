@@ -12,5 +12,6 @@ layout(location = 0) out vec4 result;
 void main() {
     uint at = uint(gl_FragCoord.x);
     gnoShadowMapMeasure(GnoViewSample(push.position.xyz, at));
-    result = gnoShadowMapFit(uvec4(GNO_SHADOW_MAP_BOUNDS[0], GNO_SHADOW_MAP_BOUNDS[1], GNO_SHADOW_MAP_BOUNDS[2], GNO_SHADOW_MAP_BOUNDS[3]), vec4(-1.0, 1.0, -1.0, 1.0));
+    result = gnoShadowMapFit(uvec4(GNO_SHADOW_MAP_BOUNDS[0], GNO_SHADOW_MAP_BOUNDS[1], GNO_SHADOW_MAP_BOUNDS[2], GNO_SHADOW_MAP_BOUNDS[3]),
+                             vec4(-1.0, 1.0, -1.0, 1.0));
 }

@@ -11,7 +11,9 @@ layout(set = 0, binding = 5, rgba32f) uniform readonly image2D atlas;  // no arr
 struct Trap { mat4x3 m; };
 Trap view, q, clip, i, s, at, x, y, texel, size, depth, bias, state, faces, facing, steps, value, light, p, index, last, w;
 float keep(Trap trap) { return trap.m[0][0]; }
-#define TRAPS (keep(view) + keep(q) + keep(clip) + keep(i) + keep(s) + keep(at) + keep(x) + keep(y) + keep(texel) + keep(size) + keep(depth) + keep(bias) + keep(state) + keep(faces) + keep(facing) + keep(steps) + keep(value) + keep(light) + keep(p) + keep(index) + keep(last) + keep(w))
+#define TRAPS                                                                                                                                     \
+    (keep(view) + keep(q) + keep(clip) + keep(i) + keep(s) + keep(at) + keep(x) + keep(y) + keep(texel) + keep(size) + keep(depth) + keep(bias) + \
+     keep(state) + keep(faces) + keep(facing) + keep(steps) + keep(value) + keep(light) + keep(p) + keep(index) + keep(last) + keep(w))
 uint trapped(uint number, float traps) { return traps == 0.0 ? number : number + 1u; }
 GnoShadowMapView engineView(uint number) {
     mat4 rows = transpose(lights.projection[number]);

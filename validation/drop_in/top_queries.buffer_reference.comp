@@ -8,7 +8,9 @@ layout(buffer_reference, std430, buffer_reference_align = 16) readonly buffer No
 layout(buffer_reference, std430, buffer_reference_align = 16) readonly buffer Corners { vec4 v[]; };
 layout(push_constant) uniform Frame { vec4 light; vec4 position; Nodes nodes; Corners corners; uint root; } frame;
 GnoTopNode engineLoadNode(uint i) { return frame.nodes.v[i]; }
-GnoCaster engineLoadCaster(uint i) { return GnoCaster(frame.corners.v[3u * i].xyz, frame.corners.v[3u * i + 1u].xyz, frame.corners.v[3u * i + 2u].xyz); }
+GnoCaster engineLoadCaster(uint i) {
+    return GnoCaster(frame.corners.v[3u * i].xyz, frame.corners.v[3u * i + 1u].xyz, frame.corners.v[3u * i + 2u].xyz);
+}
 #define GNO_TOP_LOAD_NODE(index_) engineLoadNode(index_)
 #define GNO_TOP_LOAD_ANCESTOR(index_) frame.nodes.v[((index_) & ~3u) + 1u].aux
 #define GNO_TOP_LOAD_FLAGS(index_) frame.nodes.v[((index_) & ~3u) + 2u].aux

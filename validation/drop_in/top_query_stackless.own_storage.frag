@@ -12,15 +12,18 @@ layout(set = 0, binding = 8, std430) readonly buffer Children { uvec2 child[4096
 struct Trap { mat4x3 m; };
 Trap node, i, s, index, p, t, q, a, b, c, light, point, side, caster, first, next, stack, used, depth, plane, link, at, root, own, l, n, x, y, z;
 float keep(Trap trap) { return trap.m[0][0]; }
-#define TRAPS (keep(node) + keep(i) + keep(s) + keep(index) + keep(p) + keep(t) + keep(q) + keep(a) + keep(b) + keep(c) + keep(light) + keep(point) + \
-               keep(side) + keep(caster) + keep(first) + keep(next) + keep(stack) + keep(used) + keep(depth) + keep(plane) + keep(link) + keep(at) + \
-               keep(root) + keep(own) + keep(l) + keep(n) + keep(x) + keep(y) + keep(z))
+#define TRAPS                                                                                                                               \
+    (keep(node) + keep(i) + keep(s) + keep(index) + keep(p) + keep(t) + keep(q) + keep(a) + keep(b) + keep(c) + keep(light) + keep(point) + \
+     keep(side) + keep(caster) + keep(first) + keep(next) + keep(stack) + keep(used) + keep(depth) + keep(plane) + keep(link) + keep(at) +  \
+     keep(root) + keep(own) + keep(l) + keep(n) + keep(x) + keep(y) + keep(z))
 uint trapped(uint number, float traps) { return traps == 0.0 ? number : number + 1u; }
 GnoTopNode engineNode(uint number) {
-    return GnoTopNode(vec4(sides.nx[number], sides.ny[number], sides.nz[number], sides.offset[number]), children.child[number].x, children.child[number].y,
-                      children.aux[number], children.wedge[number]);
+    return GnoTopNode(vec4(sides.nx[number], sides.ny[number], sides.nz[number], sides.offset[number]), children.child[number].x,
+                      children.child[number].y, children.aux[number], children.wedge[number]);
 }
-GnoCaster engineCaster(uint number) { return GnoCaster(corners.corner[3u * number].xyz, corners.corner[3u * number + 1u].xyz, corners.corner[3u * number + 2u].xyz); }
+GnoCaster engineCaster(uint number) {
+    return GnoCaster(corners.corner[3u * number].xyz, corners.corner[3u * number + 1u].xyz, corners.corner[3u * number + 2u].xyz);
+}
 vec4 engineLight(float traps) { return push.light + vec4(traps); }
 #define GNO_TOP_LOAD_NODE(number) engineNode(trapped(number, TRAPS))
 #define GNO_TOP_LOAD_ANCESTOR(number) children.aux[trapped(4u * ((number) / 4u) + 1u, TRAPS)]

@@ -24,9 +24,8 @@ struct Finding {
     uint64_t signature = 0;  ///< equal for inputs that did about the same (dark samples, visited nodes, overflows)
 };
 
-/// Builds the tree by two insertion orders, with long and with short stacks, and asks all four queries: the certified answers have to be those of the
-/// definition. On the other rungs no query may leave its arrays or go on forever.
-/// `variant` empty: all variants that the program is linked with.
+/// Builds the tree by two insertion orders, with long and with short stacks, and asks all four queries: the certified answers have to be those of
+/// the definition. On the other rungs no query may leave its arrays or go on forever. `variant` empty: all variants that the program is linked with.
 Finding examine(std::span<const uint8_t> bytes, const std::string& variant = {});
 
 }  // namespace gno::fuzz

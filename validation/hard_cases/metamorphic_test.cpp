@@ -214,7 +214,8 @@ TEST_P(Metamorphic, MoreCastersOnlyDarken) {
 
 TEST_P(Metamorphic, OneMovedCasterIsSeen) {  // the comparisons above can fail
     test::Scene scene = base;
-    for (size_t i = 0; i < 2; ++i) scene.triangles[i] = {scene.triangles[i].a + 0.125f, scene.triangles[i].b + 0.125f, scene.triangles[i].c + 0.125f};
+    for (size_t i = 0; i < 2; ++i)
+        scene.triangles[i] = {scene.triangles[i].a + 0.125f, scene.triangles[i].b + 0.125f, scene.triangles[i].c + 0.125f};
     for (host::OracleSample& sample : scene.samples)
         if (sample.own < 2) sample.own = host::kNoCaster;  // they lie on them no more: an own caster has its samples on the light's side
     EXPECT_NE(maskOf(scene), before);

@@ -21,7 +21,8 @@ std::vector<host::Precision> rungsOf(const CaseResult& result) {
     return rungs;
 }
 
-/// One row: the first cells, then one cell per technique with a value per rung, such as "18 / 0 / 0"; "-" for one that it lacks, or a run that was refused.
+/// One row: the first cells, then one cell per technique with a value per rung, such as "18 / 0 / 0"; "-" for one that it lacks, or a run that was
+/// refused.
 template <class Value>
 std::string cells(const CaseResult& result, const Value& value) {
     std::string row;

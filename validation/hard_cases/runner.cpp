@@ -121,8 +121,8 @@ CaseResult runCase(const HardCase& hardCase, const RunnerOptions& options, const
                 for (size_t i = 0; i < settings.size(); ++i) {
                     if (i > 0 && !has(technique.info(), settings[i].back().substr(0, settings[i].back().find('=')))) continue;
                     if (step) step();
-                    const std::string how = fmt::format("{}, {}, scene seed {}, {}, {} triangles", tally.technique, host::name(tally.precision), sceneSeed,
-                                                        fmt::join(settings[i], " "), scene.triangles.size());
+                    const std::string how = fmt::format("{}, {}, scene seed {}, {}, {} triangles", tally.technique, host::name(tally.precision),
+                                                        sceneSeed, fmt::join(settings[i], " "), scene.triangles.size());
                     try {
                         host::TechniqueResult run = technique.run(inputs, structures, host::Settings(technique.info().settings, settings[i]),
                                                                   {tally.precision, 1, options.counters, false});

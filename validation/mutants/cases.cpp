@@ -249,7 +249,8 @@ TinyScene beside(Random& r, bool atTheBand) {
     s.casters = {owner, t};
     for (int i = 0; i < (atTheBand ? 12 : 6); ++i) {
         const double k = 1.0 + (1.0 + r.real()) * (r.below(2) == 0 ? 1.0 : 0.1);
-        const dvec3 v = r.below(2) == 0 ? dvec3(t.a) : dvec3(t.a) + (dvec3(r.below(2) == 0 ? t.b : t.c) - dvec3(t.a)) * std::ldexp(1.0, -r.below(20));
+        const dvec3 v =
+            r.below(2) == 0 ? dvec3(t.a) : dvec3(t.a) + (dvec3(r.below(2) == 0 ? t.b : t.c) - dvec3(t.a)) * std::ldexp(1.0, -r.below(20));
         addSample(s, snap(behind(s.light, v, k)));
     }
     return s;
@@ -309,8 +310,8 @@ TinyScene behindNearestPoint(Random& r) {
     return s;
 }
 
-// A caster at a right angle to the light's direction whose vertices fp32 takes for deeper than they are, and samples just behind it that it takes for
-// nearer.
+// A caster at a right angle to the light's direction whose vertices fp32 takes for deeper than they are, and samples just behind it that it takes
+// for nearer.
 TinyScene atRightAngle(Random& r) {
     TinyScene s;
     s.light = directional(dvec3(r.real(), r.real(), r.real()) + 0.01);

@@ -35,7 +35,9 @@ struct Face {
     [[nodiscard]] double y(double row) const { return double(grid.along.w) + row * double(grid.stepAlong); }
     [[nodiscard]] uint cell(uint column, uint row) const { return (face * grid.resolution + row) * grid.resolution + column; }
     /// Somewhere in front of the light; sometimes very near.
-    [[nodiscard]] double depth(Random& r) const { return light.w == 0.0f ? r.real() : std::ldexp(1.0 + r.real() * 0.9, -r.below(5) * (1 + 4 * (r.below(8) == 0))); }
+    [[nodiscard]] double depth(Random& r) const {
+        return light.w == 0.0f ? r.real() : std::ldexp(1.0 + r.real() * 0.9, -r.below(5) * (1 + 4 * (r.below(8) == 0)));
+    }
 };
 
 Face anyFace(Random& r, uint resolution) {
@@ -45,7 +47,8 @@ Face anyFace(Random& r, uint resolution) {
         f.face = uint(r.below(6));
     } else {
         dvec3 towards(0);
-        while (glm::length(towards) < 0.1) towards = r.below(3) == 0 ? dvec3(r.below(3) - 1, r.below(3) - 1, r.below(3) - 1) : dvec3(r.real(), r.real(), r.real());
+        while (glm::length(towards) < 0.1)
+            towards = r.below(3) == 0 ? dvec3(r.below(3) - 1, r.below(3) - 1, r.below(3) - 1) : dvec3(r.real(), r.real(), r.real());
         if (r.below(4) == 0) towards = dvec3(std::ldexp(r.real(), -20), 1.0, std::ldexp(r.real(), -23));
         f.light = directional(towards);
     }
@@ -76,7 +79,8 @@ CellQuestion ask(Random& r, const Face& f, const GnoCaster& t, int points) {
 CellQuestion anything(Random& r, uint resolution) {
     constexpr int kCount = int(std::size(questions::kFamilies));
     questions::Question q = questions::kFamilies[r.below(kCount)].make(r);
-    while (!inScene(q.t) || !mutants::inScene(q.p) || !mutants::inScene(vec3(q.light)) || vec3(q.light) == vec3(0)) q = questions::kFamilies[r.below(kCount)].make(r);
+    while (!inScene(q.t) || !mutants::inScene(q.p) || !mutants::inScene(vec3(q.light)) || vec3(q.light) == vec3(0))
+        q = questions::kFamilies[r.below(kCount)].make(r);
     if (q.light.w == 0.0f) q.light = directional(dvec3(vec3(q.light)));
     Face f{q.light, host::forestGrid(q.light, vec3(-1), vec3(1), resolution), 0};
     CellQuestion question = ask(r, f, q.t, 4);
@@ -90,7 +94,8 @@ CellQuestion borders(Random& r, uint resolution) {
     CellQuestion question{f.light, f.grid, {r.uniform(), r.uniform(), r.uniform()}, {}, {}};
     for (int i = 0; i < 8; ++i) {
         const int n = int(resolution);
-        const double column = r.below(4) == 0 ? (r.below(2) == 0 ? 0 : n) : r.below(n + 1), row = r.below(3) == 0 ? (r.below(2) == 0 ? 0 : n) : r.below(n + 1);
+        const double column = r.below(4) == 0 ? (r.below(2) == 0 ? 0 : n) : r.below(n + 1),
+                     row = r.below(3) == 0 ? (r.below(2) == 0 ? 0 : n) : r.below(n + 1);
         const double t = r.below(2) == 0 ? std::ldexp(1.0, -1 - r.below(6)) : f.depth(r);
         vec3 p = snap(f.at(f.x(column) + nudge(r) * r.below(2), f.y(r.below(2) == 0 ? row : row + r.real()) + nudge(r) * r.below(2), t));
         if (r.below(2) == 0) p = r.neighbour(p);
@@ -114,7 +119,8 @@ CellQuestion vertexAtBorder(Random& r, uint resolution) {
             const double t = f.light.w == 0.0f || r.below(2) == 0 ? f.depth(r) : 0.3 + 0.2 * r.real();
             return snap(turned ? f.at(along, over, t) : f.at(over, along, t));
         };
-        const GnoCaster t{place(x, y), place(x + side * width, y + width * r.real()), place(x + side * width * (r.real() + 1.2), y + width * r.real())};
+        const GnoCaster t{place(x, y), place(x + side * width, y + width * r.real()),
+                          place(x + side * width * (r.real() + 1.2), y + width * r.real())};
         if (!inScene(t)) continue;
         CellQuestion question = ask(r, f, t, 4);
         for (int i = 0; i < 4; ++i) {
@@ -130,10 +136,12 @@ CellQuestion longEdgeAtBorder(Random& r, uint resolution) {
     for (;;) {
         const Face f = anyFace(r, resolution);
         const double side = r.below(2) == 0 ? 1 : -1, lean = std::ldexp(1.0 + r.real() * 0.5, -3 - r.below(4));
-        const double x = f.x(r.below(int(resolution) + 1)) + side * nudge(r), y = f.y((r.real() + 1) / 2 * resolution), slope = r.below(2) == 0 ? 0 : r.real();
+        const double x = f.x(r.below(int(resolution) + 1)) + side * nudge(r), y = f.y((r.real() + 1) / 2 * resolution),
+                     slope = r.below(2) == 0 ? 0 : r.real();
         const double near = std::ldexp(0.7 + 0.3 * r.real(), -4 - r.below(4)), far = 0.9 + 0.1 * r.real();
         const auto depth = [&](bool isNear) { return f.light.w == 0.0f ? (isNear ? -1 : 1) * (0.6 + 0.3 * r.real()) : isNear ? near : far; };
-        const GnoCaster t{snap(f.at(x, y, depth(true))), snap(f.at(x + slope * lean, y + lean, depth(false))), snap(f.at(x + side * 0.4, y + 0.5 * lean, depth(r.below(2) == 0)))};
+        const GnoCaster t{snap(f.at(x, y, depth(true))), snap(f.at(x + slope * lean, y + lean, depth(false))),
+                          snap(f.at(x + side * 0.4, y + 0.5 * lean, depth(r.below(2) == 0)))};
         if (!inScene(t)) continue;
         CellQuestion question = ask(r, f, t, 2);
         for (int i = 0; i < 8; ++i) {
@@ -160,7 +168,9 @@ CellQuestion edgeAtCorners(Random& r, uint resolution) {
         const auto [bx, by] = line(1.2 + longer * (r.real() + 1.1));
         const double beyond = step * (3 + 3 * longer * (r.real() + 1.5)), middle = y0 + rise * (0.5 + 0.3 * r.real());
         const bool same = r.below(3) == 0;  // all at one depth: no edge points at the light
-        const auto depth = [&] { return f.light.w == 0.0f ? (same ? 0.2 : 0.7 * r.real()) : same ? 0.3 : std::ldexp(0.8 + 0.2 * r.real(), -r.below(7)); };
+        const auto depth = [&] {
+            return f.light.w == 0.0f ? (same ? 0.2 : 0.7 * r.real()) : same ? 0.3 : std::ldexp(0.8 + 0.2 * r.real(), -r.below(7));
+        };
         const GnoCaster t{snap(f.at(ax, ay, depth())), snap(f.at(bx, by, depth())), snap(f.at(x0 + beyond, middle, depth()))};
         if (!inScene(t)) continue;
         CellQuestion question = ask(r, f, t, 3);
@@ -175,7 +185,9 @@ CellQuestion large(Random& r, uint resolution) {
     Face f = anyFace(r, resolution);
     const dvec3 near = f.light.w == 0.0f ? dvec3(0) : dvec3(vec3(f.light));
     const double size = std::ldexp(1.0, -r.below(4)), gap = std::ldexp(1.0, -r.below(12));
-    const auto corner = [&] { return snap(glm::clamp(near + gap * dvec3(r.real(), r.real(), r.real()) + size * dvec3(r.real(), r.real(), r.real()), -1.0, 1.0)); };
+    const auto corner = [&] {
+        return snap(glm::clamp(near + gap * dvec3(r.real(), r.real(), r.real()) + size * dvec3(r.real(), r.real(), r.real()), -1.0, 1.0));
+    };
     CellQuestion question = ask(r, f, {corner(), corner(), corner()}, 8);
     for (int i = 0; i < 6; ++i) question.cells.push_back(uint(r.below(int(gnoCellCount(resolution, f.grid.faces)))));
     return question;
@@ -185,7 +197,8 @@ CellQuestion large(Random& r, uint resolution) {
 CellQuestion oneDepth(Random& r, uint resolution) {
     for (;;) {
         const Face f = anyFace(r, resolution);
-        const double size = f.light.w == 0.0f ? 0.3 : std::ldexp(1.0, -10 - r.below(12)), x = 0.9 * r.real(), y = 0.9 * r.real(), t = f.light.w == 0.0f ? 0.5 * r.real() : 0.5 + 0.3 * r.real();
+        const double size = f.light.w == 0.0f ? 0.3 : std::ldexp(1.0, -10 - r.below(12)), x = 0.9 * r.real(), y = 0.9 * r.real(),
+                     t = f.light.w == 0.0f ? 0.5 * r.real() : 0.5 + 0.3 * r.real();
         const auto corner = [&] { return snap(f.at(x + size * r.real(), y + size * r.real(), t)); };
         const GnoCaster c{corner(), corner(), corner()};
         if (!inScene(c)) continue;
@@ -216,7 +229,8 @@ cpu::TinyScene layers(Random& r) {
     cpu::TinyScene s;
     s.light = f.light;
     for (int i = 0; i < 6; ++i) {
-        const double t = f.light.w == 0.0f ? 0.8 * r.real() : 0.1 + 0.4 * (r.real() + 1), size = 0.4 + 0.6 * (r.real() + 1), tilt = 0.1 * r.real() * r.below(2);
+        const double t = f.light.w == 0.0f ? 0.8 * r.real() : 0.1 + 0.4 * (r.real() + 1), size = 0.4 + 0.6 * (r.real() + 1),
+                     tilt = 0.1 * r.real() * r.below(2);
         const GnoCaster c{snap(f.at(-size, -size, t)), snap(f.at(size, -size, t * (1 + tilt))), snap(f.at(0.1 * r.real(), size, t * (1 - tilt)))};
         if (inScene(c)) s.casters.push_back(c);
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the forest is asked on the CPU: families of casters and cells, each hard in one way that it is named after, and tiny scenes. Seeded: the same in every run.
+// What the forest is asked on the CPU: families of casters and cells, each hard in one way that it is named after, and tiny scenes. Seeded: the same
+// in every run.
 #pragma once
 #include "validation/support/forest_on_cpu_check.hpp"
 
@@ -24,7 +25,8 @@ std::vector<ForestCase> makeForestCases(size_t scenes);
 /// Empty when the variant holds all claims on the first `questions` of the family; else one line and the question.
 std::string failure(const CellFamily& family, const cpu::Forest& forest, cpu::CellTally& tally, size_t questions = SIZE_MAX);
 
-/// Empty when the variant's forests are right on the first `scenes`; else one line and the scene. Resolutions, view culling, covering and float modes take turns.
+/// Empty when the variant's forests are right on the first `scenes`; else one line and the scene. Resolutions, view culling, covering and float
+/// modes take turns.
 std::string failure(const ForestCase& c, cpu::Forest& forest, size_t scenes = SIZE_MAX);
 
 }  // namespace gno::mutants

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// gnomon-forest-mutants [NAME...]: the forest's text on the CPU. As it stands it has to hold all claims of forest_cases.hpp; every mutant that this program is linked with (or
-// those named) has to break one. Prints a table: mutant, killed by. Exit code 0: all as it should be; 1: not; then it says which.
+// gnomon-forest-mutants [NAME...]: the forest's text on the CPU. As it stands it has to hold all claims of forest_cases.hpp; every mutant that this
+// program is linked with (or those named) has to break one. Prints a table: mutant, killed by. Exit code 0: all as it should be; 1: not; then it
+// says which.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>

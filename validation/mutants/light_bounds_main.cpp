@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// gnomon-light-bounds-mutants [NAME...]: bounds of casters in a light's cells, on the CPU. As the text stands no caster may be lost for a sample that
-// it shadows, by the definition in integers; every mutant that this program is linked with (or those named) has to lose one. Prints a table: mutant,
-// killed by. Exit code 0: all as it should be; 1: not; then it says which.
+// gnomon-light-bounds-mutants [NAME...]: bounds of casters in a light's cells, on the CPU. As the text stands no caster may be lost for a sample
+// that it shadows, by the definition in integers; every mutant that this program is linked with (or those named) has to lose one. Prints a table:
+// mutant, killed by. Exit code 0: all as it should be; 1: not; then it says which.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// make_mutant DESCRIPTION GLSL_FOLDER OUT_FOLDER: copies the modules to OUT_FOLDER/glsl and puts the described fault in. Each text to be replaced has
-// to occur exactly once in its file; if not, the modules have changed: exit code 1 and one line, so that the build stops until the description is
-// brought up to date.
+// make_mutant DESCRIPTION GLSL_FOLDER OUT_FOLDER: copies the modules to OUT_FOLDER/glsl and puts the described fault in. Each text to be replaced
+// has to occur exactly once in its file; if not, the modules have changed: exit code 1 and one line, so that the build stops until the description
+// is brought up to date.
 //
 // A description (NAME.expect_fail) starts with lines of prose. Then, once or several times:
 //   file: top/plane.glsl

@@ -9,8 +9,8 @@
 
 namespace gno::host::oracle {
 
-/// One entry per sample, 1 = something but the sample's own triangle is between it and the light (embree_scene.hpp, robust mode). Throws WorkError when
-/// Embree fails.
+/// One entry per sample, 1 = something but the sample's own triangle is between it and the light (embree_scene.hpp, robust mode). Throws WorkError
+/// when Embree fails.
 std::vector<uint8_t> askWitness(const OracleQuestion& question, const std::function<void(double)>& progress);
 
 }  // namespace gno::host::oracle

@@ -132,7 +132,8 @@ void addTechnique(const SweepOptions& options, const host::TechniqueInfo& info, 
         const host::Settings checked(info.settings, given);
         variants.push_back(variant);
         for (const std::string& key : options.best) {
-            if (!knows(info, key) || std::any_of(given.begin(), given.end(), [&](const std::string& entry) { return keyOf(entry) == key; })) continue;
+            if (!knows(info, key) || std::any_of(given.begin(), given.end(), [&](const std::string& entry) { return keyOf(entry) == key; }))
+                continue;
             variant.bestOf = key;
             variants.push_back(variant);
         }

@@ -29,8 +29,8 @@ ReadResults readResults(const std::filesystem::path& path);
 
 class ResultsFile {
 public:
-    /// Opens or makes it and locks it. A broken last line goes into PATH.broken, so that no row is ever glued to it; notes() tell. Throws InputError:
-    /// cannot be written, another process writes it, or it is not a results file; WorkError.
+    /// Opens or makes it and locks it. A broken last line goes into PATH.broken, so that no row is ever glued to it; notes() tell. Throws
+    /// InputError: cannot be written, another process writes it, or it is not a results file; WorkError.
     explicit ResultsFile(const std::filesystem::path& path);
     ResultsFile(const ResultsFile&) = delete;
     ResultsFile& operator=(const ResultsFile&) = delete;

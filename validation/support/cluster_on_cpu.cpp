@@ -148,7 +148,8 @@ public:
         eachTile(8, 8, [](uvec2, uint invocation, const GnoViewSample& s) { gnoClusterMeasureDepth(s, invocation); });
         for (uint i = 0; i <= gnoClusterSlices(state.tree); ++i) state.slices[i] = gnoClusterSliceAt(i);
         const bool compact = choice.form == GNO_CLUSTER_COMPACT;
-        build(compact || choice.form == GNO_CLUSTER_IMPLICIT ? GNO_CLUSTER_MASKS_OF_NODES : GNO_CLUSTER_MASKS_OF_NODES | GNO_CLUSTER_BOUNDS_OF_NODES);
+        build(compact || choice.form == GNO_CLUSTER_IMPLICIT ? GNO_CLUSTER_MASKS_OF_NODES
+                                                             : GNO_CLUSTER_MASKS_OF_NODES | GNO_CLUSTER_BOUNDS_OF_NODES);
         for (uint word = 0; compact && word < gnoClusterWordCount(state.tree); ++word) gnoClusterAllocate(word);
         if (compact) build(GNO_CLUSTER_BOUNDS_OF_NODES);
         for (uint i = 0; i < state.casters.size(); ++i) gnoClusterSetUpVolume(i, gnoFacing(state.light, state.casters[i]));

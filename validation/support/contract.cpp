@@ -119,7 +119,8 @@ private:
             if (startsWith(line, "#version") || startsWith(line, "#extension")) fault(module.path, "has " + line + "; that is the user's");
             if (startsWith(line, "#include <")) fault(module.path, "includes a system header outside #ifdef __cplusplus");
             if (startsWith(line, "#error")) {
-                if (!startsWith(line, "#error \"" + module.path + ": ")) fault(module.path, "an #error does not begin with the file's name: " + line);
+                if (!startsWith(line, "#error \"" + module.path + ": "))
+                    fault(module.path, "an #error does not begin with the file's name: " + line);
                 if (namesIn(line, "GNO_").empty()) fault(module.path, "an #error names no macro: " + line);
             }
             std::smatch match;
@@ -183,7 +184,8 @@ private:
                 if (!ours.contains(macro) || !entry.standard.empty() || entry.required) fault(module.path, "reads " + macro + ", which has no row");
                 continue;
             }
-            if (entry.required && entry.standard.empty() && row->second.required != "yes") fault(module.path, macro + " is required, its row says " + row->second.required);
+            if (entry.required && entry.standard.empty() && row->second.required != "yes")
+                fault(module.path, macro + " is required, its row says " + row->second.required);
             if (!entry.standard.empty()) {
                 const std::string standard = trimmed(entry.standard);
                 if (row->second.required != "no") fault(module.path, macro + " has a default, its row says required " + row->second.required);

@@ -42,7 +42,8 @@ std::vector<host::TechniqueResult> runAll(const Scene& scene, std::span<const st
     std::vector<host::TechniqueResult> results;
     for (const std::string& name : techniques) {
         host::Technique& technique = host::techniqueByName(name);
-        results.push_back(technique.run(inputs, structures, host::Settings(technique.info().settings, settings), {precision, 1, true, false, false}));
+        results.push_back(
+            technique.run(inputs, structures, host::Settings(technique.info().settings, settings), {precision, 1, true, false, false}));
         for (auto* mask : {&results.back().visibility, &results.back().visitedNodes, &results.back().deepestStack})
             if (mask->size() > scene.samples.size()) mask->resize(scene.samples.size());
     }

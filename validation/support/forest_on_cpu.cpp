@@ -163,14 +163,18 @@ void step(uint which, const Lists& lists) {
     for (const uint n : cpu::insertionOrder(uint(lists.some.size()), state.choice.seed)) assign(lists.some[n], 1);
     if (which == 3) return;
     for (const uint caster : cpu::insertionOrder(uint(state.casters.size()), state.choice.seed)) {
-        if (which == 4) gnoForestCountFew(caster);
-        else gnoForestEmitFew(caster);
+        if (which == 4)
+            gnoForestCountFew(caster);
+        else
+            gnoForestEmitFew(caster);
     }
 }
 
 class Tree final : public cpu::Forest {
 public:
-    [[nodiscard]] uint cellOf(vec4 light, const GnoForestGrid& grid, vec3 p) const override { return gnoCellOf(light, grid, gnoFromLight(light, p)); }
+    [[nodiscard]] uint cellOf(vec4 light, const GnoForestGrid& grid, vec3 p) const override {
+        return gnoCellOf(light, grid, gnoFromLight(light, p));
+    }
     [[nodiscard]] float depth(vec4 light, vec3 p) const override { return gnoLightDepth(light, gnoFromLight(light, p)); }
     [[nodiscard]] int facing(vec4 light, const GnoCaster& caster) const override { return gnoFacing(light, caster); }
 
@@ -186,7 +190,8 @@ public:
         return cells;
     }
 
-    void build(std::span<const GnoCaster> casters, vec4 light, const GnoForestGrid& grid, std::span<const GnoViewSample> samples, const cpu::ForestChoice& choice) override {
+    void build(std::span<const GnoCaster> casters, vec4 light, const GnoForestGrid& grid, std::span<const GnoViewSample> samples,
+               const cpu::ForestChoice& choice) override {
         const uint count = uint(casters.size());
         const uint poison = 0xDEADBEEFu;
         state.casters.assign(casters.begin(), casters.end());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The forest on the CPU, in one thread, made of the same GLSL text that the device runs: cells, assignment, build, and all four queries.
 //
-// A variant is one compilation of forest_on_cpu.cpp, as with the TOP tree (top_on_cpu.hpp): the text as it stands ("plain"), or with a fault put in on purpose
-// (validation/mutants). A program sees the variants that it is linked with.
+// A variant is one compilation of forest_on_cpu.cpp, as with the TOP tree (top_on_cpu.hpp): the text as it stands ("plain"), or with a fault put in
+// on purpose (validation/mutants). A program sees the variants that it is linked with.
 #pragma once
 #include <functional>
 #include <memory>
@@ -40,7 +40,8 @@ public:
     [[nodiscard]] virtual CasterCells cellsOf(vec4 light, const GnoForestGrid& grid, const GnoCaster& caster) const = 0;
 
     /// All passes of the examples, one after the other. Throws std::runtime_error when one leaves its arrays or does not end.
-    virtual void build(std::span<const GnoCaster> casters, vec4 light, const GnoForestGrid& grid, std::span<const GnoViewSample> samples, const ForestChoice& choice) = 0;
+    virtual void build(std::span<const GnoCaster> casters, vec4 light, const GnoForestGrid& grid, std::span<const GnoViewSample> samples,
+                       const ForestChoice& choice) = 0;
     virtual TopAnswer ask(TopQuery query, const GnoViewSample& sample) = 0;
 
     [[nodiscard]] virtual const GnoForestHeader& header() const = 0;

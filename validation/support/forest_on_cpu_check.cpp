@@ -34,9 +34,7 @@ Vec onFace(uint face, const Vec& q) {
 
 Rational3 rational(vec3 v) { return {Rational(double(v.x)), Rational(double(v.y)), Rational(double(v.z))}; }
 Rational dot(const Rational3& a, const Rational3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Rational3 cross(const Rational3& a, const Rational3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
+Rational3 cross(const Rational3& a, const Rational3& b) { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
 Rational3 minus(const Rational3& a, const Rational3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 struct Place {
@@ -50,7 +48,8 @@ Place placeOf(const GnoForestGrid& grid, uint cell) {
 /// Bounds of a column or row of a directional grid, widened; those at the border hold what lies beyond.
 std::array<Rational, 2> boundsOf(vec4 axis, float step, uint resolution, uint at) {
     const Rational least{double(axis.w)}, width{double(step)}, slack = kSlack * kRadius, farthest = kRadius * (1 + kSlack);
-    return {at == 0 ? Rational(-farthest) : Rational(least + int(at) * width - slack), at + 1 == resolution ? farthest : Rational(least + int(at + 1) * width + slack)};
+    return {at == 0 ? Rational(-farthest) : Rational(least + int(at) * width - slack),
+            at + 1 == resolution ? farthest : Rational(least + int(at + 1) * width + slack)};
 }
 
 bool holds(const CellQuestion& question, uint cell, vec3 p) {
@@ -60,7 +59,8 @@ bool holds(const CellQuestion& question, uint cell, vec3 p) {
     if (question.light.w == 0.0f) {
         const Rational3 q = rational(p);
         const Rational x = dot(rational(vec3(grid.across)), q), y = dot(rational(vec3(grid.along)), q);
-        const auto columns = boundsOf(grid.across, grid.stepAcross, grid.resolution, at.column), rows = boundsOf(grid.along, grid.stepAlong, grid.resolution, at.row);
+        const auto columns = boundsOf(grid.across, grid.stepAcross, grid.resolution, at.column),
+                   rows = boundsOf(grid.along, grid.stepAlong, grid.resolution, at.row);
         return columns[0] <= x && x <= columns[1] && rows[0] <= y && y <= rows[1];
     }
     const Vec q = exact::fixed(p) - exact::fixed(vec3(question.light));
@@ -96,7 +96,9 @@ bool covers(const CellQuestion& question, const std::array<Vec, 3>& v, uint face
         const Vec l = exact::fixed(vec3(question.light));
         const int64_t r = grid.resolution, half = kBandsOne / 2;
         for (int corner = 0; corner < 4; ++corner) {  // times R / 2E
-            const auto bound = [&](uint index, bool upper) { return upper ? (2 * int64_t(index) + 2 - r) * half + r : (2 * int64_t(index) - r) * half - r; };
+            const auto bound = [&](uint index, bool upper) {
+                return upper ? (2 * int64_t(index) + 2 - r) * half + r : (2 * int64_t(index) - r) * half - r;
+            };
             const Vec place{bound(at.x, corner & 1), bound(at.y, corner & 2), (face % 2 ? -1 : 1) * r * half};
             Vec direction{};
             for (size_t i = 0; i < 3; ++i) direction[(face / 2 + 1 + i) % 3] = place[i];
@@ -108,7 +110,8 @@ bool covers(const CellQuestion& question, const std::array<Vec, 3>& v, uint face
         return true;
     }
     const Rational3 u = rational(vec3(grid.across)), w = rational(vec3(grid.along)), d = rational(vec3(question.light));
-    const auto columns = boundsOf(grid.across, grid.stepAcross, grid.resolution, at.x), rows = boundsOf(grid.along, grid.stepAlong, grid.resolution, at.y);
+    const auto columns = boundsOf(grid.across, grid.stepAcross, grid.resolution, at.x),
+               rows = boundsOf(grid.along, grid.stepAlong, grid.resolution, at.y);
     const Rational farthest = kRadius * 7 / 4;  // |d.p| <= |d| |p|, |d| below sqrt(3)
     const Rational volume = dot(u, cross(w, d));
     for (int corner = 0; corner < 8; ++corner) {  // the point with these three products (Cramer)
@@ -185,9 +188,10 @@ std::string wrongCells(const Forest& forest, const CellQuestion& question, uint 
     return {};
 }
 
-std::string wrongForest(Forest& forest, const TinyScene& scene, const GnoForestGrid& grid, const std::vector<uint8_t>& expected, const ForestChoice& choice, uint floatMode) {
-    const std::string how = "resolution " + std::to_string(grid.resolution) + ", view cull " + std::to_string(choice.viewCull) + ", cover " + std::to_string(choice.cover) +
-                            ", float mode " + std::to_string(floatMode) + ": ";
+std::string wrongForest(Forest& forest, const TinyScene& scene, const GnoForestGrid& grid, const std::vector<uint8_t>& expected,
+                        const ForestChoice& choice, uint floatMode) {
+    const std::string how = "resolution " + std::to_string(grid.resolution) + ", view cull " + std::to_string(choice.viewCull) + ", cover " +
+                            std::to_string(choice.cover) + ", float mode " + std::to_string(floatMode) + ": ";
     std::string doing = "build";
     try {
         const FloatMode mode(floatMode);
@@ -201,7 +205,8 @@ std::string wrongForest(Forest& forest, const TinyScene& scene, const GnoForestG
             for (size_t q = 0; q < kTopQueries.size(); ++q) {
                 doing = kTopQueryNames[q];
                 const bool got = forest.ask(kTopQueries[q], scene.samples[i]).inShadow;
-                if (got != (expected[i] != 0)) return how + doing + ", sample " + std::to_string(i) + (got ? " is dark, should be lit" : " is lit, should be dark");
+                if (got != (expected[i] != 0))
+                    return how + doing + ", sample " + std::to_string(i) + (got ? " is dark, should be lit" : " is lit, should be dark");
             }
         }
     } catch (const std::exception& error) {
@@ -215,9 +220,9 @@ std::string show(const CellQuestion& question) {
     for (const vec3 p : question.points) scene.samples.push_back({p, GNO_NO_CASTER});
     const GnoForestGrid& g = question.grid;
     char line[256];
-    std::snprintf(line, sizeof line, "resolution %u, across %a %a %a from %a by %a, along %a %a %a from %a by %a\n", g.resolution, double(g.across.x), double(g.across.y),
-                  double(g.across.z), double(g.across.w), double(g.stepAcross), double(g.along.x), double(g.along.y), double(g.along.z), double(g.along.w),
-                  double(g.stepAlong));
+    std::snprintf(line, sizeof line, "resolution %u, across %a %a %a from %a by %a, along %a %a %a from %a by %a\n", g.resolution,
+                  double(g.across.x), double(g.across.y), double(g.across.z), double(g.across.w), double(g.stepAcross), double(g.along.x),
+                  double(g.along.y), double(g.along.z), double(g.along.w), double(g.stepAlong));
     return line + show(scene);
 }
 

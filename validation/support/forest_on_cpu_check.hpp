@@ -18,11 +18,11 @@ struct CellQuestion {
 
 /// How often a check had something to look at: one that never has proves nothing.
 struct CellTally {
-    uint64_t points = 0;     ///< whose cell was held against its bounds
-    uint64_t shadowed = 0;   ///< points in the caster's shadow, exactly
-    uint64_t alone = 0;      ///< of these: the rectangle of their face is one cell
-    uint64_t missed = 0;     ///< cells that no point of the volume may lie in
-    uint64_t covered = 0;    ///< cells that are all behind the caster
+    uint64_t points = 0;    ///< whose cell was held against its bounds
+    uint64_t shadowed = 0;  ///< points in the caster's shadow, exactly
+    uint64_t alone = 0;     ///< of these: the rectangle of their face is one cell
+    uint64_t missed = 0;    ///< cells that no point of the volume may lie in
+    uint64_t covered = 0;   ///< cells that are all behind the caster
     CellTally& operator+=(const CellTally& other);
 };
 
@@ -33,9 +33,10 @@ struct CellTally {
 /// - of a covered cell, every direction within that slack passes through the inside of the caster, exactly.
 std::string wrongCells(const Forest& forest, const CellQuestion& question, uint floatMode, CellTally& tally);
 
-/// Empty when the forest, built for the scene's samples, is whole and all four queries agree with `expected`; else one line. Never throws. Whole: each pair that was counted
-/// is in the pool once, as a caster that counts in a cell.
-std::string wrongForest(Forest& forest, const TinyScene& scene, const GnoForestGrid& grid, const std::vector<uint8_t>& expected, const ForestChoice& choice, uint floatMode);
+/// Empty when the forest, built for the scene's samples, is whole and all four queries agree with `expected`; else one line. Never throws. Whole:
+/// each pair that was counted is in the pool once, as a caster that counts in a cell.
+std::string wrongForest(Forest& forest, const TinyScene& scene, const GnoForestGrid& grid, const std::vector<uint8_t>& expected,
+                        const ForestChoice& choice, uint floatMode);
 
 std::string show(const CellQuestion& question);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Questions "does this caster shadow this point?" on the grid, in families that are each hard in one way. The same seed gives the same questions (of one compiler).
+// Questions "does this caster shadow this point?" on the grid, in families that are each hard in one way. The same seed gives the same questions (of
+// one compiler).
 #pragma once
 #include <cmath>
 #include <cstdint>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Bounds of casters in a light's cells (forest/cells.glsl, rivals/light_bvh_bounds.glsl) on the CPU, made of the same GLSL text that the device runs.
-// A variant is one compilation of light_bounds_on_cpu.cpp: the text as it stands ("plain"), or with a fault put in on purpose (validation/mutants).
+// Bounds of casters in a light's cells (forest/cells.glsl, rivals/light_bvh_bounds.glsl) on the CPU, made of the same GLSL text that the device
+// runs. A variant is one compilation of light_bounds_on_cpu.cpp: the text as it stands ("plain"), or with a fault put in on purpose
+// (validation/mutants).
 #pragma once
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The light grid on the CPU, in one thread, made of the same GLSL text that the device runs: assignment, sub cells, lists, and the query.
 //
-// A variant is one compilation of light_grid_on_cpu.cpp, as with the TOP tree (top_on_cpu.hpp). Lists are sorted by the part that one invocation does
-// alone.
+// A variant is one compilation of light_grid_on_cpu.cpp, as with the TOP tree (top_on_cpu.hpp). Lists are sorted by the part that one invocation
+// does alone.
 #pragma once
 #include <memory>
 #include <span>

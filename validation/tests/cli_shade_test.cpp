@@ -104,16 +104,20 @@ TEST(Shade, AllTechniquesAndLightsWithEverythingWritten) {
         const bool top = isTop(kAll[i % kAll.size()]), flat = kAll[i % kAll.size()] == "ptsv-2011", forest = kAll[i % kAll.size()] == "forest";
         const bool lists = kAll[i % kAll.size()] == "light-grid", boxes = kAll[i % kAll.size()] == "light-bvh";
         for (const char* picture : visitsNodes(kAll[i % kAll.size()]) ? std::vector{"shaded", "mask", "visited_nodes", "stack", "difference"}
-                                       : std::vector{"shaded", "mask", "sample_tests", "difference"})
+                                                                      : std::vector{"shaded", "mask", "sample_tests", "difference"})
             expected.insert(stem + "-" + name + "-" + picture + ".png");
         expected.insert(stem + ".exr");
-        std::vector<const char*> dumps{"casters.bin", "states.bin", "samples.bin", "visibility.bin", "oracle_shadow.bin", "oracle_caster.bin", "dump.json"};
+        std::vector<const char*> dumps{"casters.bin",       "states.bin",        "samples.bin", "visibility.bin",
+                                       "oracle_shadow.bin", "oracle_caster.bin", "dump.json"};
         for (const char* more :
              top      ? std::vector{"header.bin", "planes.bin", "links.bin", "visits.bin", "visited_nodes.bin", "deepest_stack.bin"}
-             : forest ? std::vector{"forest_header.bin", "grid.bin", "cells.bin", "pairs.bin", "planes.bin", "links.bin", "visited_nodes.bin", "deepest_stack.bin"}
-             : boxes  ? std::vector{"grid.bin", "light_bvh_header.bin", "levels.bin", "nodes.bin", "parents.bin", "visited_nodes.bin", "deepest_stack.bin"}
+             : forest ? std::vector{"forest_header.bin", "grid.bin", "cells.bin", "pairs.bin", "planes.bin", "links.bin", "visited_nodes.bin",
+                                    "deepest_stack.bin"}
+             : boxes  ? std::vector{"grid.bin", "light_bvh_header.bin", "levels.bin", "nodes.bin", "parents.bin", "visited_nodes.bin",
+                                   "deepest_stack.bin"}
              : lists  ? std::vector{"grid.bin", "lists.bin", "items.bin", "light_grid_header.bin", "visited_nodes.bin", "deepest_stack.bin"}
-                      : std::vector{"header.bin", "frame.bin", "slices.bin", "masks.bin", "masks_built.bin", "volumes.bin", "low.bin", "high.bin", "sample_tests.bin"})
+                      : std::vector{"header.bin", "frame.bin", "slices.bin", "masks.bin", "masks_built.bin", "volumes.bin", "low.bin", "high.bin",
+                                   "sample_tests.bin"})
             dumps.push_back(more);
         if (!top && !flat && !forest && !lists && !boxes) dumps.push_back("pointers.bin");
         for (const char* dumped : dumps) expected.insert(stem + "-" + name + "-" + dumped);
@@ -197,8 +201,8 @@ TEST(Shade, TraceIsWhatTheCountersCounted) {
     const auto busiest = uint32_t(std::max_element(counts.begin(), counts.end()) - counts.begin());
     const uint32_t x = busiest % kWidth, y = busiest / kWidth;
     for (const char* precision : {"published", "certified"}) {
-        const auto records = shade(stage, {scene, "--technique", "all", "--size", "37x23", "--dump", "--no-pictures", "--precision", precision, "--set", "stack=1",
-                                           "--trace", std::to_string(x) + "," + std::to_string(y)});
+        const auto records = shade(stage, {scene, "--technique", "all", "--size", "37x23", "--dump", "--no-pictures", "--precision", precision,
+                                           "--set", "stack=1", "--trace", std::to_string(x) + "," + std::to_string(y)});
         for (const Json& record : records) {
             const std::string stem = (stage.out() / ("scene-l0-f000-" + record["technique"].get<std::string>() + "." + precision + "-")).string();
             const Json index = Json::parse(readFile(stem + "dump.json"));
@@ -215,13 +219,28 @@ TEST(Shade, TraceIsWhatTheCountersCounted) {
             for (size_t i = 0; i < trace.size(); i += 2) {  // each step is a link of the tree
                 const uint32_t node = trace[i], before = i > 0 ? trace[i - 2] : 0;
                 switch (trace[i + 1]) {
-                    case 0: EXPECT_EQ(i, 0u); break;
-                    case 1: EXPECT_EQ(node, before + 1); break;
-                    case 2: EXPECT_EQ(node, links[4 * before]); break;
-                    case 3: EXPECT_EQ(node, links[4 * before + 1]); break;
-                    case 4: EXPECT_NE(record["technique"], "d-stackless"); break;
-                    case 5: EXPECT_EQ(node, links[4 * ((before & ~3u) + 1) + 2]); break;
-                    default: EXPECT_EQ(trace[i + 1], 6u); EXPECT_EQ(node, root); break;
+                    case 0:
+                        EXPECT_EQ(i, 0u);
+                        break;
+                    case 1:
+                        EXPECT_EQ(node, before + 1);
+                        break;
+                    case 2:
+                        EXPECT_EQ(node, links[4 * before]);
+                        break;
+                    case 3:
+                        EXPECT_EQ(node, links[4 * before + 1]);
+                        break;
+                    case 4:
+                        EXPECT_NE(record["technique"], "d-stackless");
+                        break;
+                    case 5:
+                        EXPECT_EQ(node, links[4 * ((before & ~3u) + 1) + 2]);
+                        break;
+                    default:
+                        EXPECT_EQ(trace[i + 1], 6u);
+                        EXPECT_EQ(node, root);
+                        break;
                 }
             }
         }
@@ -382,8 +401,8 @@ TEST(Tell, Techniques) {
     const Outcome outcome = Stage().run({"techniques"});
     expectDone(outcome);
     for (const std::string& technique : kAll) EXPECT_NE(outcome.out.find("\n" + technique + " "), std::string::npos) << technique;
-    for (const char* part :
-         {"not in this build yet", "\nshadow-map ", "--set stack=1..64", "--set bias=0.0..64.0", "--set map=512..8192", "--set cull=none|front|hull|all", "default 12", "default 32"})
+    for (const char* part : {"not in this build yet", "\nshadow-map ", "--set stack=1..64", "--set bias=0.0..64.0", "--set map=512..8192",
+                             "--set cull=none|front|hull|all", "default 12", "default 32"})
         EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
 }
 

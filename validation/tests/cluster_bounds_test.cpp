@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// clusters/bounds.glsl, compiled as C++, against long double: the range of a plane's side over a box or a cell holds the side at every sample inside,
-// up to what the traversal's margin allows for, and is no wider than that.
+// clusters/bounds.glsl, compiled as C++, against long double: the range of a plane's side over a box or a cell holds the side at every sample
+// inside, up to what the traversal's margin allows for, and is no wider than that.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -100,7 +100,8 @@ TEST(ClusterBounds, BoxHoldsItsSamplesAndNoMore) {
         Seen seen, corners;
         for (const vec3 p : samples) {
             seen.add(sideAt(plane, light, p));
-            ASSERT_LE(double(light.w != 0.0f ? lengthOf(exactly(p) - xyz(light)) : lengthOf(exactly(p))), box.scale * 1.0000005) << "round " << round;
+            ASSERT_LE(double(light.w != 0.0f ? lengthOf(exactly(p) - xyz(light)) : lengthOf(exactly(p))), box.scale * 1.0000005)
+                << "round " << round;
         }
         for (int i = 0; i < 8; ++i) corners.add(sideAt(plane, light, vec3(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z)));
         ASSERT_TRUE(holds(range, seen, allowed)) << "seed " << kSeed << " round " << round;

@@ -187,7 +187,8 @@ void expectCells(const CameraView& view) {
             const uint x = part(l.maskX, size.x), y = part(l.maskY, size.y), z = part(l.maskZ, size.z);
             ASSERT_GE(depth, arrays.slices.at(z));
             ASSERT_LE(depth, arrays.slices.at(z + size.z));
-            const vec2 from = gnoClusterSlope(arrays.frame, {8 * x, 8 * y}), to = gnoClusterSlope(arrays.frame, {8 * (x + size.x), 8 * (y + size.y)});
+            const vec2 from = gnoClusterSlope(arrays.frame, {8 * x, 8 * y}),
+                       to = gnoClusterSlope(arrays.frame, {8 * (x + size.x), 8 * (y + size.y)});
             ASSERT_LE(gnoClusterOutside(arrays.frame, s.position, from, to), slack);
         }
     }

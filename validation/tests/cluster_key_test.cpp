@@ -65,7 +65,8 @@ TEST(ClusterLayout, NumbersOfThePaper) {
 /// Empty: the masks hold every tile, keys and indices are as promised.
 std::string fault(const GnoClusterLayout& l, uvec2 size) {
     const uint height = gnoClusterTileHeight(l);
-    if (l.tiles.x * 8 < size.x || l.tiles.x * 8 >= size.x + 8 || l.tiles.y * height < size.y || l.tiles.y * height >= size.y + height) return "tiles";
+    if (l.tiles.x * 8 < size.x || l.tiles.x * 8 >= size.x + 8 || l.tiles.y * height < size.y || l.tiles.y * height >= size.y + height)
+        return "tiles";
     if (l.bits < 1 || l.bits > (l.form == GNO_CLUSTER_COMPACT ? 28u : 29u)) return "bits";
     if (l.levels < 1 || l.levels > GNO_CLUSTER_MOST_LEVELS || l.levels != (l.bits + 4) / 5) return "levels";
     if ((l.maskX & l.maskY) != 0 || (l.maskX & l.maskZ) != 0 || (l.maskY & l.maskZ) != 0) return "masks overlap";

@@ -9,7 +9,8 @@ file(CREATE_LINK ${PROJECT_SOURCE_DIR}/glsl ${CMAKE_CURRENT_BINARY_DIR}/mount/gn
 function(gnomon_test_shader target definition source)  # compiles source with the options behind it; its path is `definition` in the program `target`
   set(spirv ${CMAKE_CURRENT_BINARY_DIR}/${definition}.spv)
   add_custom_command(OUTPUT ${spirv}
-    COMMAND ${GNOMON_GLSLANG} -V --target-env vulkan1.2 --quiet -I${CMAKE_CURRENT_BINARY_DIR}/mount ${ARGN} --depfile ${spirv}.d -o ${spirv} ${source}
+    COMMAND ${GNOMON_GLSLANG} -V --target-env vulkan1.2 --quiet -I${CMAKE_CURRENT_BINARY_DIR}/mount ${ARGN} --depfile ${spirv}.d -o ${spirv}
+      ${source}
     COMMAND ${GNOMON_SPIRV_VAL} --target-env vulkan1.2 ${spirv}
     DEPENDS ${source} DEPFILE ${spirv}.d VERBATIM)
   target_sources(${target} PRIVATE ${spirv})

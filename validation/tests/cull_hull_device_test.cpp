@@ -30,7 +30,8 @@ std::vector<uint32_t> mask(host::FrameInputs& inputs, glm::vec4 light, host::Cul
     inputs.setLight(light, cull);
     host::StructureCache structures;
     host::Technique& technique = host::techniqueByName("d-stackless");
-    return technique.run(inputs, structures, host::Settings(technique.info().settings, {}), {host::Precision::certified, 1, false, false}).visibility;
+    return technique.run(inputs, structures, host::Settings(technique.info().settings, {}), {host::Precision::certified, 1, false, false})
+        .visibility;
 }
 
 uint64_t keptByThePlanes(const host::Frame& frame, glm::vec4 light) {

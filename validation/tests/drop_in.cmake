@@ -5,6 +5,7 @@ gnomon_add_test(drop_in_test TIMEOUT 300)
 gnomon_add_test(contract_test TIMEOUT 180)
 target_sources(contract_test PRIVATE ../support/contract.cpp ../support/glsl_source.cpp)
 foreach(test drop_in_test contract_test)
-  target_compile_definitions(${test} PRIVATE GNOMON_SOURCE_DIR="${PROJECT_SOURCE_DIR}" GNOMON_GLSLANG="${GNOMON_GLSLANG}" GNOMON_SPIRV_VAL="${GNOMON_SPIRV_VAL}")
+  target_compile_definitions(${test} PRIVATE GNOMON_SOURCE_DIR="${PROJECT_SOURCE_DIR}" GNOMON_GLSLANG="${GNOMON_GLSLANG}"
+    GNOMON_SPIRV_VAL="${GNOMON_SPIRV_VAL}")
 endforeach()
 gnomon_add_test(sample_test LIBRARIES gnomon_scene TIMEOUT 180)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // glsl/ as a user takes it: copied under another folder, included from shaders that are not ours. Every file of validation/drop_in is one case:
 // SPIR-V for Vulkan 1.0 (with subgroup operations 1.1) with GNO_COUNTERS 0, for Vulkan 1.2 with GNO_COUNTERS 1, valid, and with no capability but
-// Shader, except where clusters/traverse.glsl asks for subgroup operations and ballots, and where rivals/ray_query.glsl asks for ray queries (GLSL 4.60, Vulkan 1.2).
-// NAME.expect_fail.comp must fail, with the #error that its comment names.
+// Shader, except where clusters/traverse.glsl asks for subgroup operations and ballots, and where rivals/ray_query.glsl asks for ray queries
+// (GLSL 4.60, Vulkan 1.2). NAME.expect_fail.comp must fail, with the #error that its comment names.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -130,15 +130,36 @@ TEST(DropInCoverage, EveryErrorHasACase) {
     EXPECT_GE(errors, 6u);
 }
 
-/// Every module is in the three shaders that include all of them (those that need ray queries in one of their own); every module that a user calls has a shader of its own in both stages.
+/// Every module is in the three shaders that include all of them (those that need ray queries in one of their own); every module that a user calls
+/// has a shader of its own in both stages.
 TEST(DropInCoverage, EveryModuleIsIncluded) {
-    const std::set<std::string> parts{
-        "core/int128.glsl", "core/portable.h", "core/shared_types.h", "core/bindings.glsl", "core/material.h",    "core/material_bindings.glsl",
-        "top/node.h",       "top/plane.glsl",  "top/visit.glsl",      "top/bindings.glsl",  "clusters/cluster.h", "clusters/bindings.glsl",
-        "rivals/ray_query_bindings.glsl", "rivals/light_grid.h", "rivals/light_grid_bindings.glsl", "rivals/light_bvh.h", "rivals/light_bvh_bindings.glsl", "core/radix_sort.h", "shadow_map/view.h", "shadow_map/bindings.glsl", "shadow_map/map_bindings.glsl",
-        "forest/cells.h",   "forest/bindings.glsl"};
+    const std::set<std::string> parts{"core/int128.glsl",
+                                      "core/portable.h",
+                                      "core/shared_types.h",
+                                      "core/bindings.glsl",
+                                      "core/material.h",
+                                      "core/material_bindings.glsl",
+                                      "top/node.h",
+                                      "top/plane.glsl",
+                                      "top/visit.glsl",
+                                      "top/bindings.glsl",
+                                      "clusters/cluster.h",
+                                      "clusters/bindings.glsl",
+                                      "rivals/ray_query_bindings.glsl",
+                                      "rivals/light_grid.h",
+                                      "rivals/light_grid_bindings.glsl",
+                                      "rivals/light_bvh.h",
+                                      "rivals/light_bvh_bindings.glsl",
+                                      "core/radix_sort.h",
+                                      "shadow_map/view.h",
+                                      "shadow_map/bindings.glsl",
+                                      "shadow_map/map_bindings.glsl",
+                                      "forest/cells.h",
+                                      "forest/bindings.glsl"};
     const std::set<std::string> rays{"rivals/ray_query.glsl", "rivals/ray_query_bindings.glsl"};
-    const std::set<std::string> computeOnly{"clusters/build.glsl", "clusters/traverse.glsl", "rivals/light_grid_sort.glsl", "core/prefix_sum.glsl", "core/radix_sort.glsl", "rivals/light_bvh_build.glsl"};  // shared memory; a whole subgroup that calls together
+    const std::set<std::string> computeOnly{
+        "clusters/build.glsl",  "clusters/traverse.glsl", "rivals/light_grid_sort.glsl",
+        "core/prefix_sum.glsl", "core/radix_sort.glsl",   "rivals/light_bvh_build.glsl"};  // shared memory; a whole subgroup that calls together
     for (const auto& entry : fs::recursive_directory_iterator(kGlsl)) {
         const std::string module = fs::relative(entry.path(), kGlsl).string();
         const std::string extension = entry.path().extension();

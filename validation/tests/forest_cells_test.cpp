@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// glsl/forest as text on the CPU, in every rounding mode that a device may have: what cells.glsl claims of cells and casters, against exact arithmetic; whole forests, against
-// the definition. That these checks can fail is what validation/mutants shows.
+// glsl/forest as text on the CPU, in every rounding mode that a device may have: what cells.glsl claims of cells and casters, against exact
+// arithmetic; whole forests, against the definition. That these checks can fail is what validation/mutants shows.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -28,8 +28,9 @@ TEST(ForestCells, ClaimsHold) {
     for (const CellFamily& family : makeCellFamilies(questionCount())) {
         cpu::CellTally tally;
         EXPECT_EQ(failure(family, *forest, tally), "");
-        std::printf("%-30s %8llu points, %8llu shadowed (%llu alone), cells missed %llu, covered %llu\n", family.name.c_str(), (unsigned long long)tally.points,
-                    (unsigned long long)tally.shadowed, (unsigned long long)tally.alone, (unsigned long long)tally.missed, (unsigned long long)tally.covered);
+        std::printf("%-30s %8llu points, %8llu shadowed (%llu alone), cells missed %llu, covered %llu\n", family.name.c_str(),
+                    (unsigned long long)tally.points, (unsigned long long)tally.shadowed, (unsigned long long)tally.alone,
+                    (unsigned long long)tally.missed, (unsigned long long)tally.covered);
         all += tally;
     }
     EXPECT_GT(all.shadowed, all.points / 20);
@@ -45,18 +46,22 @@ TEST(Forests, AnswerByTheDefinition) {
 
 /// Three walls before a light in the middle of a grid of 2 x 2 cells: what is counted is known.
 struct Walls {
-    cpu::TinyScene scene{vec4(0, 0, 0, 1),
-                         {{vec3(-0.25f, -0.25f, 0.125f), vec3(0.25f, -0.25f, 0.125f), vec3(0, 0.25f, 0.125f)},
-                          {vec3(-0.75f, -0.75f, 0.5f), vec3(0.75f, -0.75f, 0.5f), vec3(0, 0.75f, 0.5f)},
-                          {vec3(0.5f, 0.5f, 1), vec3(0.75f, 0.5f, 1), vec3(0.5f, 0.75f, 1)}},
-                         {{vec3(0.0625f, 0.0625f, 0.25f), GNO_NO_CASTER}, {vec3(0, 0, 0.75f), GNO_NO_CASTER}, {vec3(0.5f, 0.5f, 0.75f), GNO_NO_CASTER}}};
+    cpu::TinyScene scene{
+        vec4(0, 0, 0, 1),
+        {{vec3(-0.25f, -0.25f, 0.125f), vec3(0.25f, -0.25f, 0.125f), vec3(0, 0.25f, 0.125f)},
+         {vec3(-0.75f, -0.75f, 0.5f), vec3(0.75f, -0.75f, 0.5f), vec3(0, 0.75f, 0.5f)},
+         {vec3(0.5f, 0.5f, 1), vec3(0.75f, 0.5f, 1), vec3(0.5f, 0.75f, 1)}},
+        {{vec3(0.0625f, 0.0625f, 0.25f), GNO_NO_CASTER}, {vec3(0, 0, 0.75f), GNO_NO_CASTER}, {vec3(0.5f, 0.5f, 0.75f), GNO_NO_CASTER}}};
     GnoForestGrid grid = host::forestGrid(scene.light, vec3(-1), vec3(1), 2);
 };
 
 TEST(Forests, APoolTooSmallTells) {
     const auto forest = plain();
     Walls walls;
-    const auto build = [&](uint capacity) { forest->build(walls.scene.casters, walls.scene.light, walls.grid, walls.scene.samples, {.viewCull = false, .cover = false, .capacity = capacity}); };
+    const auto build = [&](uint capacity) {
+        forest->build(walls.scene.casters, walls.scene.light, walls.grid, walls.scene.samples,
+                      {.viewCull = false, .cover = false, .capacity = capacity});
+    };
     build(0xFFFFFFFFu);
     const uint needed = forest->header().pairs;
     ASSERT_GT(needed, 3u);
@@ -81,7 +86,8 @@ TEST(Forests, WithoutCastersOrSamples) {
     EXPECT_EQ(forest->header().pairs, 0u) << "with view culling nobody needs a caster";
     forest->build(walls.scene.casters, walls.scene.light, walls.grid, {}, {.viewCull = false});
     EXPECT_GT(forest->header().pairs, 0u);
-    for (const GnoViewSample& sample : walls.scene.samples) EXPECT_TRUE(forest->ask(cpu::TopQuery::dHybrid, sample).inShadow) << "built without the view, good for any";
+    for (const GnoViewSample& sample : walls.scene.samples)
+        EXPECT_TRUE(forest->ask(cpu::TopQuery::dHybrid, sample).inShadow) << "built without the view, good for any";
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The forest on the device: whatever its cells, culling, query and stack, the mask is the definition's; its pool is exactly as large as it has to be, or nothing is answered.
+// The forest on the device: whatever its cells, culling, query and stack, the mask is the definition's; its pool is exactly as large as it has to
+// be, or nothing is answered.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,7 +42,8 @@ test::Scene soup(bool directional) {
 /// One scene on the device, asked many times.
 class Asked {
 public:
-    explicit Asked(test::Scene scene) : scene_(std::move(scene)), frame_(test::frameOf(scene_)), inputs_(test::passes(), frame_, scene_.samples, scene_.width) {
+    explicit Asked(test::Scene scene)
+        : scene_(std::move(scene)), frame_(test::frameOf(scene_)), inputs_(test::passes(), frame_, scene_.samples, scene_.width) {
         inputs_.setLight(scene_.light, scene_.cull);
         want_ = host::makeOracle()->ask({scene_.triangles, inputs_.definitionCasters(), scene_.light, scene_.samples}, [](double) {});
     }
@@ -136,7 +138,8 @@ TEST(ForestTechnique, NodesWithoutPlanesTakeHalf) {
         EXPECT_EQ(bytes(with).at("trees"), 128 * pairs);
         EXPECT_EQ(bytes(without).at("trees"), 64 * pairs);
         EXPECT_EQ(bytes(without).at("pairs"), 8 * pairs);
-        EXPECT_TRUE(std::none_of(without.dump.begin(), without.dump.end(), [](const host::DumpedBuffer& buffer) { return buffer.name == "planes"; }));
+        EXPECT_TRUE(
+            std::none_of(without.dump.begin(), without.dump.end(), [](const host::DumpedBuffer& buffer) { return buffer.name == "planes"; }));
     }
 }
 
@@ -183,7 +186,8 @@ TEST(ForestTechnique, APoolOfExactlyWhatIsNeeded) {
         expectWhole(asked.run({"cells=8", "pool=" + std::to_string(needed), "seed=3"}, true), asked.scene().triangles.size());
         for (const uint64_t small : {needed - 1, uint64_t(1)}) {
             const std::string text = refusal(asked, {"cells=8", "pool=" + std::to_string(small)});
-            for (const std::string& part : {"pool=" + std::to_string(small), std::to_string(needed)}) EXPECT_NE(text.find(part), std::string::npos) << text;
+            for (const std::string& part : {"pool=" + std::to_string(small), std::to_string(needed)})
+                EXPECT_NE(text.find(part), std::string::npos) << text;
             EXPECT_EQ(text.find('\n'), std::string::npos) << text;
         }
     }
@@ -215,7 +219,8 @@ TEST(ForestTechnique, AllCastersInOneCell) {
         scene.light = directional ? scene.light : glm::vec4(-0.9375f, -0.9375f, -0.9375f, 1);
         for (host::Triangle& t : scene.triangles)
             for (glm::vec3* v : {&t.a, &t.b, &t.c}) *v = host::cases::snap(glm::dvec3(0.85, 0.8, 0.75) + 1e-3 * glm::dvec3(*v));
-        for (size_t i = 0; i < scene.samples.size(); i += 2) scene.samples[i].position = host::cases::snap(glm::dvec3(0.85, 0.8, 0.75) + 2e-3 * glm::dvec3(scene.samples[i].position));
+        for (size_t i = 0; i < scene.samples.size(); i += 2)
+            scene.samples[i].position = host::cases::snap(glm::dvec3(0.85, 0.8, 0.75) + 2e-3 * glm::dvec3(scene.samples[i].position));
         scene.triangles.push_back({{-1, -1, -1}, {-1, -1, -0.9375f}, {-1, -0.9375f, -1}});  // holds a directional grid open
         Asked asked(scene);
         const host::TechniqueResult result = asked.run({"cells=4", "view_cull=off", "cover=off"}, true);

@@ -8,8 +8,8 @@
 
 #include "glsl/clusters/cluster.h"
 #include "glsl/forest/cells.h"
-#include "glsl/rivals/light_grid.h"
 #include "glsl/rivals/light_bvh.h"
+#include "glsl/rivals/light_grid.h"
 #include "glsl/shadow_map/view.h"
 #include "glsl/top/node.h"
 #include "host_min/frame/inputs.hpp"
@@ -52,7 +52,9 @@ public:
         return layout(compiler_.get_type(block(buffer).member_types[index]).self);
     }
     /// Type of the first member of the storage buffer of this name (instance or block), e.g. of the array `v`.
-    [[nodiscard]] const spirv_cross::SPIRType& contents(const std::string& buffer) const { return compiler_.get_type(block(buffer).member_types[0]); }
+    [[nodiscard]] const spirv_cross::SPIRType& contents(const std::string& buffer) const {
+        return compiler_.get_type(block(buffer).member_types[0]);
+    }
     [[nodiscard]] uint32_t stride(const std::string& buffer) const { return compiler_.type_struct_member_array_stride(block(buffer), 0); }
     [[nodiscard]] std::optional<Layout> pushBlock() const {
         const auto blocks = compiler_.get_shader_resources().push_constant_buffers;
@@ -106,8 +108,10 @@ TEST(Layout, LinksAndPlanesOfATopTree) {
 }
 
 TEST(Layout, SlabsOfATopTree) {
-    const std::vector<Member> slab{MEMBER(GnoTopSlab, positive), MEMBER(GnoTopSlab, negative), MEMBER(GnoTopSlab, positiveDepth), MEMBER(GnoTopSlab, intersectionDepth)};
-    for (const std::string shader : {"forest/examples/set_up.comp", "forest/examples/build.comp", "forest/examples/query_hybrid.comp", "forest/examples/query_stack.frag"}) {
+    const std::vector<Member> slab{MEMBER(GnoTopSlab, positive), MEMBER(GnoTopSlab, negative), MEMBER(GnoTopSlab, positiveDepth),
+                                   MEMBER(GnoTopSlab, intersectionDepth)};
+    for (const std::string shader :
+         {"forest/examples/set_up.comp", "forest/examples/build.comp", "forest/examples/query_hybrid.comp", "forest/examples/query_stack.frag"}) {
         SCOPED_TRACE(shader);
         const Reflection reflection(shader);
         expectSame(reflection.layout(reflection.contents("gnoTopSlabs").self), slab, sizeof(GnoTopSlab));
@@ -196,16 +200,18 @@ TEST(Layout, HeaderAndArraysOfAClusterHierarchy) {
 TEST(Layout, GridCellsPairsAndHeaderOfAForest) {
     const std::vector<Member> grid{MEMBER(GnoForestGrid, across),    MEMBER(GnoForestGrid, along),      MEMBER(GnoForestGrid, stepAcross),
                                    MEMBER(GnoForestGrid, stepAlong), MEMBER(GnoForestGrid, resolution), MEMBER(GnoForestGrid, faces)};
-    const std::vector<Member> cell{MEMBER(GnoForestCell, farthest), MEMBER(GnoForestCell, cover), MEMBER(GnoForestCell, pairs), MEMBER(GnoForestCell, root)};
+    const std::vector<Member> cell{MEMBER(GnoForestCell, farthest), MEMBER(GnoForestCell, cover), MEMBER(GnoForestCell, pairs),
+                                   MEMBER(GnoForestCell, root)};
     const std::vector<Member> pair{MEMBER(GnoForestPair, caster), MEMBER(GnoForestPair, cell)};
     const std::vector<Member> few{MEMBER(GnoForestFew, cells), MEMBER(GnoForestFew, least)};
-    const std::vector<Member> header{MEMBER(GnoForestHeader, groupsOfPairs), MEMBER(GnoForestHeader, one0), MEMBER(GnoForestHeader, one1),
-                                     MEMBER(GnoForestHeader, pairs),         MEMBER(GnoForestHeader, groupsOfSome), MEMBER(GnoForestHeader, one2),
-                                     MEMBER(GnoForestHeader, one3),          MEMBER(GnoForestHeader, some), MEMBER(GnoForestHeader, groupsOfMany),
-                                     MEMBER(GnoForestHeader, one4),          MEMBER(GnoForestHeader, one5), MEMBER(GnoForestHeader, many),
-                                     MEMBER(GnoForestHeader, used)};
-    for (const std::string shader : {"reset.comp", "depth.comp", "sort.comp", "assign_few.comp", "assign_some.comp", "assign_many.comp", "allocate.comp", "sizes.comp", "set_up.comp", "build.comp",
-                                     "query_stack.comp", "query_hybrid.frag", "query_stackless.comp.counters"}) {
+    const std::vector<Member> header{
+        MEMBER(GnoForestHeader, groupsOfPairs), MEMBER(GnoForestHeader, one0), MEMBER(GnoForestHeader, one1), MEMBER(GnoForestHeader, pairs),
+        MEMBER(GnoForestHeader, groupsOfSome),  MEMBER(GnoForestHeader, one2), MEMBER(GnoForestHeader, one3), MEMBER(GnoForestHeader, some),
+        MEMBER(GnoForestHeader, groupsOfMany),  MEMBER(GnoForestHeader, one4), MEMBER(GnoForestHeader, one5), MEMBER(GnoForestHeader, many),
+        MEMBER(GnoForestHeader, used)};
+    for (const std::string shader :
+         {"reset.comp", "depth.comp", "sort.comp", "assign_few.comp", "assign_some.comp", "assign_many.comp", "allocate.comp", "sizes.comp",
+          "set_up.comp", "build.comp", "query_stack.comp", "query_hybrid.frag", "query_stackless.comp.counters"}) {
         SCOPED_TRACE(shader);
         const Reflection reflection("forest/examples/" + shader);
         expectSame(reflection.member("gnoForestGrid", 0), grid, sizeof(GnoForestGrid));
@@ -217,7 +223,8 @@ TEST(Layout, GridCellsPairsAndHeaderOfAForest) {
         EXPECT_EQ(reflection.stride("gnoForestPairs"), sizeof(GnoForestPair));
         EXPECT_EQ(reflection.stride("gnoForestFew"), sizeof(GnoForestFew));
     }
-    for (const size_t dispatch : {offsetof(GnoForestHeader, groupsOfPairs), offsetof(GnoForestHeader, groupsOfSome), offsetof(GnoForestHeader, groupsOfMany)})
+    for (const size_t dispatch :
+         {offsetof(GnoForestHeader, groupsOfPairs), offsetof(GnoForestHeader, groupsOfSome), offsetof(GnoForestHeader, groupsOfMany)})
         EXPECT_EQ(dispatch % 4, 0u) << "an indirect dispatch reads it";
     EXPECT_EQ(offsetof(GnoForestHeader, one1), offsetof(GnoForestHeader, groupsOfPairs) + 8) << "its three words lie together";
     EXPECT_EQ(offsetof(GnoForestHeader, one3), offsetof(GnoForestHeader, groupsOfSome) + 8);
@@ -227,13 +234,20 @@ TEST(Layout, GridCellsPairsAndHeaderOfAForest) {
 }
 
 TEST(Layout, ArraysOfALightSpaceHierarchy) {
-    const std::vector<Member> header{MEMBER(GnoLightBvhHeader, groupsOfReferences), MEMBER(GnoLightBvhHeader, one0), MEMBER(GnoLightBvhHeader, one1),
-                                     MEMBER(GnoLightBvhHeader, references),         MEMBER(GnoLightBvhHeader, groupsOfTiles),
-                                     MEMBER(GnoLightBvhHeader, one2),               MEMBER(GnoLightBvhHeader, one3), MEMBER(GnoLightBvhHeader, roots)};
+    const std::vector<Member> header{MEMBER(GnoLightBvhHeader, groupsOfReferences),
+                                     MEMBER(GnoLightBvhHeader, one0),
+                                     MEMBER(GnoLightBvhHeader, one1),
+                                     MEMBER(GnoLightBvhHeader, references),
+                                     MEMBER(GnoLightBvhHeader, groupsOfTiles),
+                                     MEMBER(GnoLightBvhHeader, one2),
+                                     MEMBER(GnoLightBvhHeader, one3),
+                                     MEMBER(GnoLightBvhHeader, roots)};
     const std::vector<Member> grid{MEMBER(GnoForestGrid, across),    MEMBER(GnoForestGrid, along),      MEMBER(GnoForestGrid, stepAcross),
                                    MEMBER(GnoForestGrid, stepAlong), MEMBER(GnoForestGrid, resolution), MEMBER(GnoForestGrid, faces)};
-    const std::vector<Member> box{MEMBER(GnoLightBvhBox, low), MEMBER(GnoLightBvhBox, high), MEMBER(GnoLightBvhBox, least), MEMBER(GnoLightBvhBox, link)};
-    const std::vector<Member> node{MEMBER(GnoLightBvhNode, low), MEMBER(GnoLightBvhNode, high), MEMBER(GnoLightBvhNode, least), MEMBER(GnoLightBvhNode, link)};
+    const std::vector<Member> box{MEMBER(GnoLightBvhBox, low), MEMBER(GnoLightBvhBox, high), MEMBER(GnoLightBvhBox, least),
+                                  MEMBER(GnoLightBvhBox, link)};
+    const std::vector<Member> node{MEMBER(GnoLightBvhNode, low), MEMBER(GnoLightBvhNode, high), MEMBER(GnoLightBvhNode, least),
+                                   MEMBER(GnoLightBvhNode, link)};
     const std::vector<Member> level{MEMBER(GnoLightBvhLevel, groups), MEMBER(GnoLightBvhLevel, one0), MEMBER(GnoLightBvhLevel, one1),
                                     MEMBER(GnoLightBvhLevel, count), MEMBER(GnoLightBvhLevel, first)};
     for (const std::string shader : {"count.comp", "emit.comp", "split.comp", "query_stack.comp", "query_stackless.frag"}) {
@@ -250,15 +264,16 @@ TEST(Layout, ArraysOfALightSpaceHierarchy) {
     EXPECT_EQ(split.stride("gnoLightBvhBoxes_"), sizeof(GnoLightBvhBox));
     EXPECT_EQ(collapse.stride("gnoLightBvhNode"), sizeof(GnoLightBvhNode));
     EXPECT_EQ(collapse.stride("gnoLightBvhLevels"), sizeof(GnoLightBvhLevel));
-    for (const size_t offset : {offsetof(GnoLightBvhHeader, groupsOfReferences), offsetof(GnoLightBvhHeader, groupsOfTiles), sizeof(GnoLightBvhLevel)})
+    for (const size_t offset :
+         {offsetof(GnoLightBvhHeader, groupsOfReferences), offsetof(GnoLightBvhHeader, groupsOfTiles), sizeof(GnoLightBvhLevel)})
         EXPECT_EQ(offset % 4, 0u) << "an indirect dispatch reads it";
 }
 
 TEST(Layout, ViewsOfAShadowMap) {
     const std::vector<Member> header{MEMBER(GnoShadowMapHeader, viewCount), MEMBER(GnoShadowMapHeader, size), MEMBER(GnoShadowMapHeader, unused0),
                                      MEMBER(GnoShadowMapHeader, unused1)};
-    const std::vector<Member> view{MEMBER(GnoShadowMapView, x), MEMBER(GnoShadowMapView, y), MEMBER(GnoShadowMapView, z), MEMBER(GnoShadowMapView, w),
-                                   MEMBER(GnoShadowMapView, bias)};
+    const std::vector<Member> view{MEMBER(GnoShadowMapView, x), MEMBER(GnoShadowMapView, y), MEMBER(GnoShadowMapView, z),
+                                   MEMBER(GnoShadowMapView, w), MEMBER(GnoShadowMapView, bias)};
     for (const std::string shader : {"fit.comp", "depth.vert", "query.comp", "query.frag"}) {
         SCOPED_TRACE(shader);
         const Reflection reflection("shadow_map/examples/" + shader);
@@ -299,10 +314,12 @@ TEST(Layout, PushBlockOfEveryShader) {
 TEST(Layout, LightGrid) {
     const std::vector<Member> list{MEMBER(GnoLightGridList, first), MEMBER(GnoLightGridList, end)};
     const std::vector<Member> item{MEMBER(GnoLightGridItem, depth), MEMBER(GnoLightGridItem, caster)};
-    const std::vector<Member> header{MEMBER(GnoLightGridHeader, groupsOfPairs), MEMBER(GnoLightGridHeader, one0),  MEMBER(GnoLightGridHeader, one1),
-                                     MEMBER(GnoLightGridHeader, nests),         MEMBER(GnoLightGridHeader, groupsOfLists), MEMBER(GnoLightGridHeader, one2),
+    const std::vector<Member> header{MEMBER(GnoLightGridHeader, groupsOfPairs), MEMBER(GnoLightGridHeader, one0),
+                                     MEMBER(GnoLightGridHeader, one1),          MEMBER(GnoLightGridHeader, nests),
+                                     MEMBER(GnoLightGridHeader, groupsOfLists), MEMBER(GnoLightGridHeader, one2),
                                      MEMBER(GnoLightGridHeader, one3),          MEMBER(GnoLightGridHeader, items)};
-    for (const std::string shader : {"rivals/examples/light_grid_pairs.comp", "rivals/examples/light_grid_sort.comp", "rivals/examples/light_grid_query_planes.frag"}) {
+    for (const std::string shader :
+         {"rivals/examples/light_grid_pairs.comp", "rivals/examples/light_grid_sort.comp", "rivals/examples/light_grid_query_planes.frag"}) {
         SCOPED_TRACE(shader);
         const Reflection reflection(shader);
         expectSame(reflection.layout(reflection.contents("gnoGridLists").self), list, sizeof(GnoLightGridList));

@@ -103,14 +103,15 @@ size_t expectLists(const host::TechniqueResult& result) {
 TEST(LightGrid, OneMaskWhateverTheCells) {
     for (const bool directional : {false, true}) {
         const test::Scene scene = test::soup(kSeed, directional, 400, 0.3, 3000);
-        expectTheOracles(scene,
-                         {{}, {"cells=1", "nest=0"}, {"cells=1", "nest=1"}, {"cells=4"}, {"cells=16", "nest=1", "caster_planes=computed"}, {"cells=256"}},
-                         {Precision::conservative, Precision::certified});
+        expectTheOracles(
+            scene, {{}, {"cells=1", "nest=0"}, {"cells=1", "nest=1"}, {"cells=4"}, {"cells=16", "nest=1", "caster_planes=computed"}, {"cells=256"}},
+            {Precision::conservative, Precision::certified});
     }
 }
 
 TEST(LightGrid, ListsThatOutliveTheView) {
-    for (const bool directional : {false, true}) expectTheOracles(test::soup(kSeed, directional, 400, 0.3, 3000), {{"view_cull=off", "cover=off", "cells=16"}});
+    for (const bool directional : {false, true})
+        expectTheOracles(test::soup(kSeed, directional, 400, 0.3, 3000), {{"view_cull=off", "cover=off", "cells=16"}});
 }
 
 TEST(LightGrid, BothStagesGiveOneMask) {

@@ -9,7 +9,8 @@ namespace gno::test {
 
 inline glm::vec4 lightOf(bool directional) { return directional ? glm::vec4(0.375f, 1, 0.25f, 0) : glm::vec4(0.125f, 0.875f, -0.25f, 1); }
 
-/// Casters of one size (half an edge of the cube that holds them) anywhere, samples anywhere and on no caster: no sign is near zero, so that fp32 decides like the definition.
+/// Casters of one size (half an edge of the cube that holds them) anywhere, samples anywhere and on no caster: no sign is near zero, so that fp32
+/// decides like the definition.
 inline Scene soup(uint32_t seed, bool directional, size_t casters, double size, size_t samples) {
     host::cases::Random random(seed);
     Scene scene;

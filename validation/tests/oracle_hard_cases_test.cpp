@@ -69,8 +69,9 @@ TEST(Mutants, TheUnchangedDefinitionHasNoDifference) {
 }
 
 TEST(Mutants, AnOpenConeIsSeen) {
-    auto found = differences(
-        [](const VolumeSigns& s) { return s.facing != 0 && s.cap == -s.facing && allSides(s, [](int side, int inside) { return side == inside; }); });
+    auto found = differences([](const VolumeSigns& s) {
+        return s.facing != 0 && s.cap == -s.facing && allSides(s, [](int side, int inside) { return side == inside; });
+    });
     EXPECT_GT(found["shared edges, point light over a vertex"], 0u);
     EXPECT_GT(found["shared edges, light from above"], 0u);
     EXPECT_GT(found["lattice cubes, lattice light"], 0u);

@@ -22,8 +22,8 @@ Units units(glm::vec3 v) { return {int64_t(std::ldexp(v.x, 40)), int64_t(std::ld
 
 // Differences in [-2, 2] are 2^41 units at most, so the determinant stays below 6 * 2^123.
 int determinantSign(Units u, Units v, Units w) {
-    const Int128 d =
-        u.x * (Int128(v.y) * w.z - Int128(v.z) * w.y) - u.y * (Int128(v.x) * w.z - Int128(v.z) * w.x) + u.z * (Int128(v.x) * w.y - Int128(v.y) * w.x);
+    const Int128 d = u.x * (Int128(v.y) * w.z - Int128(v.z) * w.y) - u.y * (Int128(v.x) * w.z - Int128(v.z) * w.x) +
+                     u.z * (Int128(v.x) * w.y - Int128(v.y) * w.x);
     return d > 0 ? 1 : d < 0 ? -1 : 0;
 }
 

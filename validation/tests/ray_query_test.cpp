@@ -28,7 +28,9 @@ uint64_t number(const host::NamedNumbers& list, const std::string& name) {
     throw std::out_of_range(name);
 }
 
-host::TechniqueResult run(const test::Scene& scene, const Strings& settings = {}) { return test::run(scene, "ray-query", Precision::published, settings); }
+host::TechniqueResult run(const test::Scene& scene, const Strings& settings = {}) {
+    return test::run(scene, "ray-query", Precision::published, settings);
+}
 
 void expectTheOracles(const test::Scene& scene, uint64_t leastShadowed) {
     const host::OracleAnswer want = test::ask(scene);

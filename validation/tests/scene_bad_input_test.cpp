@@ -295,7 +295,8 @@ TEST(Extensions, ThoseThatChangeGeometryAreRefusedByName) {
         EXPECT_EQ(frameOf(onlyUsed).triangles.size(), 1u) << name;
     }
     // Told before anything else is missed.
-    expectBytesRefused(glbOf(R"({"asset":{"version":"2.0"},"extensionsRequired":["KHR_draco_mesh_compression"]})", ""), "KHR_draco_mesh_compression");
+    expectBytesRefused(glbOf(R"({"asset":{"version":"2.0"},"extensionsRequired":["KHR_draco_mesh_compression"]})", ""),
+                       "KHR_draco_mesh_compression");
 }
 
 TEST(Extensions, ThoseThatDoNotAreIgnoredAndListed) {

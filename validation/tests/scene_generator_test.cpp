@@ -83,7 +83,9 @@ void parse(const std::string& bytes, File& out) {
     std::string error;
     std::string warning;
     tinygltf::TinyGLTF loader;
-    const auto ignoreImage = [](tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) { return true; };
+    const auto ignoreImage = [](tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+        return true;
+    };
     loader.SetImageLoader(ignoreImage, nullptr);
     ASSERT_TRUE(loader.LoadBinaryFromMemory(&out.model, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()),
                                             static_cast<unsigned>(bytes.size()), ""))

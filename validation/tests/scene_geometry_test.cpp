@@ -101,7 +101,8 @@ TEST(Geometry, SparsePositions) {
 TEST(Geometry, StripsAndFansKeepTheirWinding) {
     // A zigzag over the unit square in the plane z = 0; every triangle of a strip has to face +z.
     Builder strip;
-    strip.node({{"mesh", strip.mesh({{"attributes", {{"POSITION", strip.positions({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0})}}}, {"mode", 5}})}});
+    strip.node(
+        {{"mesh", strip.mesh({{"attributes", {{"POSITION", strip.positions({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0})}}}, {"mode", 5}})}});
     const Frame strips = frameOf(strip);
     ASSERT_EQ(strips.triangles.size(), 3u);
     Builder fan;

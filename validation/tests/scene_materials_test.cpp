@@ -209,7 +209,8 @@ TEST(BadTexture, ImageThatCannotBeRead) {
 
 TEST(BadTexture, TruncatedPngAtEveryLength) {
     const std::string png = tinyPng(4, 2, std::string(32, '\x7F'));
-    for (size_t length = 1; length + 16 <= png.size(); ++length) {  // behind the texels stand a checksum and an empty chunk, which decoders pass over
+    for (size_t length = 1; length + 16 <= png.size();
+         ++length) {  // behind the texels stand a checksum and an empty chunk, which decoders pass over
         const std::string text = inputError([&] { (void)frameOf(Leaf(kUv, png.substr(0, length))); });
         EXPECT_NE(text.find("image 0"), std::string::npos) << length;
         EXPECT_EQ(text.find('\n'), std::string::npos) << text;

@@ -92,7 +92,8 @@ TEST(Settings, WrongValuesTellTheRange) {
         const std::string text = complaintOf({wrong});
         EXPECT_TRUE(says(text, wrong) && says(text, "1..64")) << wrong << ": " << text;
     }
-    for (const char* wrong : {"bias=-0.5", "bias=64.1", "bias=", "bias=nan", "bias=inf", "bias=1e1", "bias=0x1", "bias=1,5", "bias=1.5 ", "bias=+1", "bias=."})
+    for (const char* wrong :
+         {"bias=-0.5", "bias=64.1", "bias=", "bias=nan", "bias=inf", "bias=1e1", "bias=0x1", "bias=1,5", "bias=1.5 ", "bias=+1", "bias=."})
         EXPECT_TRUE(says(complaintOf({wrong}), std::string(wrong) + ": must be 0.0..64.0")) << wrong;
     for (const char* wrong : {"seed=4294967296", "seed=-1", "seed="}) EXPECT_TRUE(says(complaintOf({wrong}), "0..4294967295")) << wrong;
     for (const char* wrong : {"stage=vertex", "stage=", "stage=Compute", "stage=compute,fragment"})

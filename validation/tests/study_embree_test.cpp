@@ -43,8 +43,10 @@ HardCase soup(bool directional, size_t casters, size_t samples) {
         const host::Triangle& t = scene.triangles[own];
         const glm::dvec3 middle = (glm::dvec3(t.a) + glm::dvec3(t.b) + glm::dvec3(t.c)) / 3.0;
         const glm::dvec3 away = directional ? -glm::dvec3(scene.light) : middle - glm::dvec3(scene.light);
-        if (scene.samples.size() % 3 == 0) scene.samples.push_back({snap(middle + 0.0625 * away), own});
-        else scene.samples.push_back({snap(random.inCube()), host::kNoCaster});
+        if (scene.samples.size() % 3 == 0)
+            scene.samples.push_back({snap(middle + 0.0625 * away), own});
+        else
+            scene.samples.push_back({snap(random.inCube()), host::kNoCaster});
     }
     return scene;
 }
@@ -116,7 +118,8 @@ TEST(StudyEmbree, CastersLeftOutAreNotMet) {
 TEST(StudyEmbree, ASampleAtTheLightIsLit) {
     HardCase scene = soup(false, 300, 1);
     scene.samples = {{glm::vec3(scene.light), host::kNoCaster}};
-    for (const std::string& precision : embree().precisions()) EXPECT_EQ(embree().run(scene.question(), precision).inShadow, std::vector<uint8_t>{0});
+    for (const std::string& precision : embree().precisions())
+        EXPECT_EQ(embree().run(scene.question(), precision).inShadow, std::vector<uint8_t>{0});
 }
 
 TEST(StudyEmbree, TimesAndBytes) {
@@ -154,7 +157,8 @@ TEST(StudyEmbree, AnUnknownPrecisionListsTheKnownOnes) {
         (void)embree().run(scene.question(), "certified");
         FAIL() << "no complaint";
     } catch (const host::InputError& error) {
-        for (const char* part : {"embree", "certified", "fp32", "robust"}) EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+        for (const char* part : {"embree", "certified", "fp32", "robust"})
+            EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
     }
 }
 

@@ -157,7 +157,8 @@ TEST_F(Merging, EachJobOnceAndPicturesAlong) {
 }
 
 TEST_F(Merging, AMeasuredRowTakesThePlaceOfAnUnavailableOne) {
-    const std::vector files{put("a.jsonl", lineOf(row("a", {{"unavailable", "no memory left"}}))), put("b.jsonl", lineOf(row("a", {{"casters", 7}}))),
+    const std::vector files{put("a.jsonl", lineOf(row("a", {{"unavailable", "no memory left"}}))),
+                            put("b.jsonl", lineOf(row("a", {{"casters", 7}}))),
                             put("c.jsonl", lineOf(row("a", {{"unavailable", "no memory left"}})))};
     mergeResults(files, file);
     ASSERT_EQ(readResults(file).rows.size(), 1u);

@@ -100,7 +100,8 @@ TEST_F(Study, CountersAreThoseOfGnomonShade) {
         const std::string command = "LP_NUM_THREADS=1 '" GNOMON_SHADE_PROGRAM "' shade '" + (stage.out() / "scenes" / "fuzzy_4000.glb").string() +
                                     "' --size 64x36 --light 1 --check --set cull=hull " + (hybrid ? "--set stack=6 " : "") + "--technique " +
                                     row["technique"].get<std::string>() + " --precision " + row["precision"].get<std::string>() + " --out '" +
-                                    (stage.path() / "shade").string() + "' --json '" + (stage.path() / "shade.jsonl").string() + "' > /dev/null 2>&1";
+                                    (stage.path() / "shade").string() + "' --json '" + (stage.path() / "shade.jsonl").string() +
+                                    "' > /dev/null 2>&1";
         ASSERT_EQ(std::system(command.c_str()), 0) << command;
         const Row record = Row::parse(readFile(stage.path() / "shade.jsonl"));
         for (const char* key : {"counters", "bytes", "casters", "triangles", "samples", "in_shadow", "size", "device"})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One GLSL text, two compilers: a device that works through its invocations one by one, and the CPU, build the same TOP tree to the bit and visit the
-// same nodes of it. Whatever is proved of the text on the CPU (mutants, fuzzing) thus speaks of the device, too.
+// One GLSL text, two compilers: a device that works through its invocations one by one, and the CPU, build the same TOP tree to the bit and visit
+// the same nodes of it. Whatever is proved of the text on the CPU (mutants, fuzzing) thus speaks of the device, too.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -59,7 +59,8 @@ void expectExact(const host::FrameInputs& inputs, const std::string& what, Tally
         for (const std::string& technique : kTop) {
             host::Technique& query = host::techniqueByName(technique);
             const auto got =
-                query.run(inputs, structures, host::Settings(query.info().settings, {}), {.precision = precision, .counters = false, .warmUp = false})
+                query
+                    .run(inputs, structures, host::Settings(query.info().settings, {}), {.precision = precision, .counters = false, .warmUp = false})
                     .visibility;
             ASSERT_EQ(got.size(), expected.want.size());
             const uint64_t wrong = countWrong(got, expected.want);

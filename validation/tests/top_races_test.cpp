@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The build has no lock and no fence: whatever the driver's threads do, each tree holds every caster once or inside another, and answers alike. ctest
-// runs this at 1, 2 and 8 threads of the driver (LP_NUM_THREADS). With one thread the same tree comes out, bit for bit, in another process too.
+// The build has no lock and no fence: whatever the driver's threads do, each tree holds every caster once or inside another, and answers alike.
+// ctest runs this at 1, 2 and 8 threads of the driver (LP_NUM_THREADS). With one thread the same tree comes out, bit for bit, in another process
+// too.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -113,8 +113,8 @@ inline std::array<glm::dvec3, 3> fromLight(const host::Triangle& t, glm::vec4 li
     return {glm::dvec3(t.a) - origin, glm::dvec3(t.b) - origin, glm::dvec3(t.c) - origin};
 }
 
-/// Would a query whose point has this side and scale at a lateral plane go into the node's intersection child? `halves`: the word holds one bound per
-/// side.
+/// Would a query whose point has this side and scale at a lateral plane go into the node's intersection child? `halves`: the word holds one bound
+/// per side.
 inline bool wedgeAdmits(const GnoTopLink& link, double side, double scale, bool halves) {
     const uint32_t bits = !halves ? link.wedge : side > 0 ? link.wedge & 0xFFFF0000u : link.wedge << 16;
     return std::abs(side) <= double(std::bit_cast<float>(bits)) * scale;

@@ -74,8 +74,8 @@ TEST(TopTechniques, FragmentStage) {
 }
 
 TEST(TopTechniques, InsertionOrderAndWorkGroup) {
-    expectOneMask(test::soup(kSeed, false, 1500, 0.15, 3000), {"d-hybrid"}, {{"seed=0"}, {"seed=4294967295"}, {"group=1"}, {"group=100"}, {"group=256", "seed=9"}},
-                  true);
+    expectOneMask(test::soup(kSeed, false, 1500, 0.15, 3000), {"d-hybrid"},
+                  {{"seed=0"}, {"seed=4294967295"}, {"group=1"}, {"group=100"}, {"group=256", "seed=9"}}, true);
 }
 
 // Samples on and next to planes, edges, vertices: only the definition knows, and the certified rung.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The generated scene `leaves` from file to sums: loader, view samples, buffers and modules on the device, every caster against every sample, against
-// the oracle. No acceleration structure is part of it, so what fails here is not a technique's fault.
+// The generated scene `leaves` from file to sums: loader, view samples, buffers and modules on the device, every caster against every sample,
+// against the oracle. No acceleration structure is part of it, so what fails here is not a technique's fault.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -186,7 +186,8 @@ TEST(Texels, AreTheOraclesInEveryWrapModeAndFilter) {
                             expectSame(material, image, k * 256 * static_cast<int>(width) / 2 + step, -k * 256 + step);
                     for (const int far : {(1 << 30) - 1, -(1 << 30) + 1}) expectSame(material, image, far, -far);
                     for (int i = 0; i < 200; ++i)
-                        expectSame(material, image, static_cast<int>(bits() % (1u << 31)) - (1 << 30) + 1, static_cast<int>(bits() % 100000) - 50000);
+                        expectSame(material, image, static_cast<int>(bits() % (1u << 31)) - (1 << 30) + 1,
+                                   static_cast<int>(bits() % 100000) - 50000);
                 }
     }
 }

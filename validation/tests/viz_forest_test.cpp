@@ -28,10 +28,13 @@ std::string differences(vtkPolyData& cells, const Json& record) {
         used += data.GetArray("casters")->GetComponent(i, 0) > 0;
         visits += data.GetArray("visits_per_sample")->GetComponent(i, 0) * data.GetArray("samples")->GetComponent(i, 0);
     }
-    if (sumOf(data, "casters", "casters") != double(counter(record, "pairs")) || factIn(cells, "pairs") != double(counter(record, "pairs"))) text += "pairs ";
+    if (sumOf(data, "casters", "casters") != double(counter(record, "pairs")) || factIn(cells, "pairs") != double(counter(record, "pairs")))
+        text += "pairs ";
     if (used != counter(record, "used_cells") || factIn(cells, "used_cells") != double(used)) text += "used ";
-    if (sumOf(data, "volumes", "volumes") != double(counter(record, "inserted")) || factIn(cells, "volumes") != double(counter(record, "inserted"))) text += "inserted ";
-    if (factIn(cells, "visits") != double(counter(record, "visited_nodes")) || std::abs(visits / factIn(cells, "visits") - 1) > 1e-5) text += "visits ";
+    if (sumOf(data, "volumes", "volumes") != double(counter(record, "inserted")) || factIn(cells, "volumes") != double(counter(record, "inserted")))
+        text += "inserted ";
+    if (factIn(cells, "visits") != double(counter(record, "visited_nodes")) || std::abs(visits / factIn(cells, "visits") - 1) > 1e-5)
+        text += "visits ";
     if (factIn(cells, "resolution") != double(counter(record, "cells"))) text += "resolution ";
     return text;
 }
@@ -52,7 +55,10 @@ TEST_P(VizForest, CellsHoldWhatTheDeviceCounted) {
     const Outcome outcome = look.viz({"forest", look.dump("forest"), "--limit", "50", "--size", "640x480"});
     expectDone(outcome);
     const Json record = look.record("forest");
-    EXPECT_NE(outcome.out.find(grouped(counter(record, "pairs")) + " pairs of cell and caster in " + grouped(counter(record, "used_cells")) + " of "), std::string::npos) << outcome.out;
+    EXPECT_NE(
+        outcome.out.find(grouped(counter(record, "pairs")) + " pairs of cell and caster in " + grouped(counter(record, "used_cells")) + " of "),
+        std::string::npos)
+        << outcome.out;
     EXPECT_NE(outcome.out.find(grouped(counter(record, "inserted")) + " of them in the cells' trees"), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("drawing 50 of "), std::string::npos) << outcome.out;
 
@@ -82,10 +88,13 @@ TEST_P(VizForest, CellsHoldWhatTheDeviceCounted) {
     EXPECT_EQ(tree->GetCellData()->GetArray("parent")->GetComponent(0, 0), double(kNone));
     EXPECT_GT(meshIn(look.file("forest", stem + "-parts.vtp"))->GetNumberOfCells(), 0);
     EXPECT_EQ(meshIn(look.file("forest", stem + "-pyramid.vtp"))->GetNumberOfLines(), 12);
-    for (const std::string& picture : {std::string("forest-casters.png"), std::string("forest-visits.png"), stem + "-depth.png"}) expectPicture(look.file("forest", picture));
+    for (const std::string& picture : {std::string("forest-casters.png"), std::string("forest-visits.png"), stem + "-depth.png"})
+        expectPicture(look.file("forest", picture));
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, VizForest, testing::Values(Case{sceneFile("fence"), 0, 6, "128", "off"}, Case{std::string(GNOMON_SCENES_DIR) + "/show_stairs.glb", 1, 1, "64", "on"}));
+INSTANTIATE_TEST_SUITE_P(Scenes, VizForest,
+                         testing::Values(Case{sceneFile("fence"), 0, 6, "128", "off"},
+                                         Case{std::string(GNOMON_SCENES_DIR) + "/show_stairs.glb", 1, 1, "64", "on"}));
 
 class VizForestSmall : public testing::Test {
 protected:
@@ -160,11 +169,15 @@ TEST_F(VizForestSmall, EmptyForest) {
 
 TEST_F(VizForestSmall, DamagedDumps) {
     const std::vector<std::string> forest{"forest", dump()};
-    const auto damaged = [&](const std::string& buffer, auto change, const std::string& part) { look().refusesDamaged(file(buffer), change, forest, part); };
-    for (const std::string buffer : {"grid", "cells", "pairs", "forest_header", "links", "samples", "visited_nodes"}) damaged(buffer, withoutLastWord, buffer);
+    const auto damaged = [&](const std::string& buffer, auto change, const std::string& part) {
+        look().refusesDamaged(file(buffer), change, forest, part);
+    };
+    for (const std::string buffer : {"grid", "cells", "pairs", "forest_header", "links", "samples", "visited_nodes"})
+        damaged(buffer, withoutLastWord, buffer);
     look().refusesDamaged(dump(), firstHalf, forest, "not the index");
 
-    const auto cells = wordsOf(file("cells")), pairs = wordsOf(file("pairs")), links = wordsOf(file("links")), visited = wordsOf(file("visited_nodes"));
+    const auto cells = wordsOf(file("cells")), pairs = wordsOf(file("pairs")), links = wordsOf(file("links")),
+               visited = wordsOf(file("visited_nodes"));
     damaged("grid", setWord(10, 5), "none of a forest");
     damaged("grid", setWord(11, 1), "none of a forest");
     damaged("forest_header", setWord(3, 1u << 20), "not complete");
@@ -188,7 +201,8 @@ TEST_F(VizForestSmall, DamagedDumps) {
     damaged("links", setWord(link, 4u << 20), "tree is broken");
     const size_t counted = size_t(std::max_element(visited.begin(), visited.end()) - visited.begin());
     damaged("visited_nodes", setWord(counted, visited[counted] + 1), "the record counted");
-    for (const char* name : {"pairs", "used_cells", "visited_nodes"}) look().refusesDamaged(dump(), raise("counters", name), forest, "the record counted");
+    for (const char* name : {"pairs", "used_cells", "visited_nodes"})
+        look().refusesDamaged(dump(), raise("counters", name), forest, "the record counted");
     expectDone(look().viz(forest));
 }
 

@@ -45,7 +45,9 @@ public:
     [[nodiscard]] fs::path file(const std::string& technique, const std::string& what, const std::string& precision = "certified") const {
         return stage_.out() / (fs::path(scene_).stem().string() + "-l" + light_ + "-f000-" + technique + "." + precision + "-" + what);
     }
-    [[nodiscard]] std::string dump(const std::string& technique, const std::string& precision = "certified") const { return file(technique, "dump.json", precision).string(); }
+    [[nodiscard]] std::string dump(const std::string& technique, const std::string& precision = "certified") const {
+        return file(technique, "dump.json", precision).string();
+    }
     [[nodiscard]] Json record(const std::string& technique, const std::string& precision = "certified") const {
         return Json::parse(readFile(dump(technique, precision)))["record"];
     }

@@ -73,7 +73,8 @@ TEST_P(Viz, TreeHoldsWhatTheDeviceCounted) {
         EXPECT_EQ(factIn(*path, "ancestor_jumps") > 0, technique == "d-stackless") << technique;
     }
     expectDone(look.viz({"tree", look.dump("d-hybrid"), "--interactive", "--close-after", "1", "--size", "640x480"}));
-    for (const char* picture : {"tree-kind.png", "tree-statistics.png", "tree-path.png", "tree-steps.png"}) expectPicture(look.file("d-psv", picture));
+    for (const char* picture : {"tree-kind.png", "tree-statistics.png", "tree-path.png", "tree-steps.png"})
+        expectPicture(look.file("d-psv", picture));
 }
 
 TEST_P(Viz, ClustersHoldWhatTheDeviceCounted) {
@@ -143,7 +144,8 @@ TEST_F(VizSmall, NothingIsWrongOnTheCertifiedRung) {
 
 TEST_F(VizSmall, InteractiveOpensAndCloses) {
     for (const std::string command : {"tree", "clusters", "samples"})
-        expectDone(look().viz({command, look().dump(command == "tree" ? "psv" : "ptsv"), "--interactive", "--close-after", "1", "--size", "640x480"}));
+        expectDone(
+            look().viz({command, look().dump(command == "tree" ? "psv" : "ptsv"), "--interactive", "--close-after", "1", "--size", "640x480"}));
 }
 
 TEST_F(VizSmall, BadInput) {
@@ -166,7 +168,8 @@ TEST_F(VizSmall, BadInput) {
 }
 
 TEST_F(VizSmall, DamagedDumps) {
-    const std::vector<std::string> tree{"tree", look().dump("psv")}, clusters{"clusters", look().dump("ptsv")}, samples{"samples", look().dump("psv")};
+    const std::vector<std::string> tree{"tree", look().dump("psv")}, clusters{"clusters", look().dump("ptsv")},
+        samples{"samples", look().dump("psv")};
     look().refusesDamaged(look().file("psv", "links.bin"), withoutLastWord, tree, "links");
     look().refusesDamaged(look().dump("psv"), firstHalf, tree, "not the index");
 

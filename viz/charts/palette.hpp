@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Colours that colour-blind readers can tell apart: Okabe and Ito's without their yellow, a grey, then six that lie far from these and from each other in CIE Lab, seen with
-// and without red and green cones (Machado, Oliveira, Fernandes 2009), and are dark enough to stand on white.
+// Colours that colour-blind readers can tell apart: Okabe and Ito's without their yellow, a grey, then six that lie far from these and from each
+// other in CIE Lab, seen with and without red and green cones (Machado, Oliveira, Fernandes 2009), and are dark enough to stand on white.
 #pragma once
 #include <map>
 #include <span>

@@ -12,6 +12,7 @@ layout(set = 2, binding = 0, rgba32ui) uniform readonly uimage2D gnoSamples;
 
 void main() {
     GnoViewSample s = GnoViewSample(vec3(0.0), GNO_BACKGROUND);
-    if (all(lessThan(gl_GlobalInvocationID.xy, GNO_CLUSTER_FRAME.size))) s = gnoUnpackViewSample(imageLoad(gnoSamples, ivec2(gl_GlobalInvocationID.xy)));
+    if (all(lessThan(gl_GlobalInvocationID.xy, GNO_CLUSTER_FRAME.size)))
+        s = gnoUnpackViewSample(imageLoad(gnoSamples, ivec2(gl_GlobalInvocationID.xy)));
     gnoClusterMeasureDepth(s, gl_LocalInvocationIndex);
 }

@@ -15,6 +15,7 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     uint primitive = imageLoad(gnoPrimitives, pixel).x;
     GnoViewSample s = GnoViewSample(vec3(0.0), GNO_BACKGROUND);
-    if (primitive != GNO_BACKGROUND) s = gnoMakeViewSample(imageLoad(gnoPositions, pixel).xyz, primitive, GNO_LOAD_CASTER(primitive), gnoPush.viewer, gnoPush.light);
+    if (primitive != GNO_BACKGROUND)
+        s = gnoMakeViewSample(imageLoad(gnoPositions, pixel).xyz, primitive, GNO_LOAD_CASTER(primitive), gnoPush.viewer, gnoPush.light);
     imageStore(gnoSamples, pixel, gnoPackViewSample(s));
 }

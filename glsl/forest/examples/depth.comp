@@ -1,7 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Step 1: how far the view samples of each cell lie. One invocation per 4 x 2 pixels: neighbours lie in the same cell as a rule, one atomic for them all.
+// Step 1: how far the view samples of each cell lie. One invocation per 4 x 2 pixels: neighbours lie in the same cell as a rule, one atomic for them
+// all.
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "../../core/sample.glsl"
 #include "../../core/examples/frame.glsl"

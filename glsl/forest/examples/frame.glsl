@@ -13,7 +13,8 @@ layout(constant_id = 32) const uint kStep = 3u;  // 3 cover, 4 count, 6 emit
 #define GNO_FOREST_USE_COVER kUseCover
 #include "../assign.glsl"
 layout(set = 2, binding = 0, std430) readonly buffer GnoExampleStates { uint v[]; } gnoStates;
-layout(set = 2, binding = 1, std430) buffer GnoExampleList { uint v[]; } gnoList;  // casters with some cells from its front on, with many from its back
+// casters with some cells from its front on, with many from its back
+layout(set = 2, binding = 1, std430) buffer GnoExampleList { uint v[]; } gnoList;
 
 void assign(uint caster, uint lane, uint lanes) {
     GnoCellVolume v = gnoCellVolume(GNO_LIGHT, GNO_LOAD_CASTER(caster), gnoCasterFacing(gnoStates.v[caster]));

@@ -11,5 +11,6 @@ void main() {
     if (caster >= gnoPush.count) return;
     int facing = gnoCasterFacing(gnoStates.v[caster]);
     if (facing == 0) return;
-    for (uint place = 0u; place < 4u; ++place) gnoGridPlanes.v[4u * caster + place] = gnoLightGridPlane(GNO_LIGHT, GNO_LOAD_CASTER(caster), facing, place);
+    for (uint place = 0u; place < 4u; ++place)
+        gnoGridPlanes.v[4u * caster + place] = gnoLightGridPlane(GNO_LIGHT, GNO_LOAD_CASTER(caster), facing, place);
 }

@@ -7,6 +7,8 @@ layout(local_size_x = 64) in;
 #include "../light_grid_sort.glsl"
 
 void main() {
-    uint groups = gnoLightGridLists(gnoCellCount(gnoForestGrid.v.resolution, gnoForestGrid.v.faces), min(GNO_LIGHT_GRID_HEADER.nests, GNO_LIGHT_GRID_NESTS)) / 64u;
+    uint groups =
+        gnoLightGridLists(gnoCellCount(gnoForestGrid.v.resolution, gnoForestGrid.v.faces), min(GNO_LIGHT_GRID_HEADER.nests, GNO_LIGHT_GRID_NESTS)) /
+        64u;
     for (uint group = gl_WorkGroupID.x; group < groups; group += gl_NumWorkGroups.x) gnoLightGridSort(group, gl_LocalInvocationIndex);
 }

@@ -1,7 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Pass 2, once per view: draw 3 * casters vertices of instance number `view` into that view's layer; no vertex input, no fragment shader, clear 0, greater passes.
+// Pass 2, once per view: draw 3 * casters vertices of instance number `view` into that view's layer; no vertex input, no fragment shader, clear 0,
+// greater passes.
 layout(constant_id = 0) const uint kFaces = 0u;  // GNO_SHADOW_MAP_BOTH ...
 #include "../../core/bindings.glsl"
 #include "../../core/examples/frame.glsl"

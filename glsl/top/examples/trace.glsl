@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Node loads that keep a log, for the trace_*.comp: the queries are the modules' own, their macros are fulfilled by functions that count and note what is loaded.
+// Node loads that keep a log, for the trace_*.comp: the queries are the modules' own, their macros are fulfilled by functions that count and note
+// what is loaded.
 // Include after ../bindings.glsl and before a query.
 #ifndef GNO_TOP_TRACE_GLSL
 #define GNO_TOP_TRACE_GLSL

@@ -15,7 +15,8 @@ void addReport(CLI::App& program, Action& chosen) {
 }
 
 void finishStudy(const std::filesystem::path& results, const std::filesystem::path&) {
-    fmt::print("measured: {}; this build draws no charts, one with GNOMON_VIZ=ON does: gnomon-study report {}\n", results.string(), results.string());
+    fmt::print("measured: {}; this build draws no charts, one with GNOMON_VIZ=ON does: gnomon-study report {}\n", results.string(),
+               results.string());
 }
 
 }  // namespace gno::study

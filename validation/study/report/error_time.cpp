@@ -22,7 +22,7 @@ struct Dot {
 };
 
 constexpr double kLane = 16, kPlotHeight = 540;  // pixels of the page
-constexpr size_t kMostLanes = 14;  // as many as there are colours
+constexpr size_t kMostLanes = 14;                // as many as there are colours
 
 /// In the row of the exact ones each technique has a lane of its own, the fastest on top. Returns the share of the decades that the row needs.
 double spreadLanes(std::vector<Dot>& dots) {

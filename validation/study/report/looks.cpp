@@ -40,7 +40,8 @@ viz::Look Looks::of(const std::string& technique, const std::string& precision, 
 std::vector<std::pair<std::string, viz::Look>> Looks::legend(const std::vector<std::string>& techniques,
                                                              const std::vector<std::string>& precisions) const {
     std::vector<std::pair<std::string, viz::Look>> entries{{"technique: colour", {}}};
-    for (const std::string& technique : techniques) entries.emplace_back(technique, viz::Look{color(technique), Marker::none, Line::solid, 6, false});
+    for (const std::string& technique : techniques)
+        entries.emplace_back(technique, viz::Look{color(technique), Marker::none, Line::solid, 6, false});
     entries.emplace_back("", viz::Look{});
     entries.emplace_back("precision: marker, line", viz::Look{});
     for (const std::string& precision : precisions) {

@@ -73,7 +73,8 @@ std::string comparison(const WorstFrame& worst) {
         "class=\"layers\"><img alt=\"exact answer\" src=\"{}\"><img class=\"left\" alt=\"{}\" src=\"{}\"></div><div class=\"edge\"></div></div>\n",
         technique, image(worst.truth), technique, shaded);
     html += fmt::format(
-        "<div class=\"controls\"><label>left <select><option value=\"shaded\">as it looks</option>{}</select></label><input type=\"range\" min=\"0\" "
+        "<div class=\"controls\"><label>left <select><option value=\"shaded\">as it looks</option>{}</select></label><input type=\"range\" "
+        "min=\"0\" "
         "max=\"100\" step=\"0.5\" value=\"50\" aria-label=\"edge between {} and the exact answer\">"
         "<button type=\"button\" data-zoom=\"out\" aria-label=\"zoom out\">-</button><button type=\"button\" data-zoom=\"in\" aria-label=\"zoom "
         "in\">+</button><button type=\"button\" data-zoom=\"reset\">whole picture</button><output class=\"zoom\"></output></div>\n",

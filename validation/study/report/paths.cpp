@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Along a path: query time and work per frame of every technique (figure 7 of the 2016 paper, figures 5 and 6 of the 2014 one), stages of a technique
-// with several passes (figures 5 and 9 of 2014).
+// Along a path: query time and work per frame of every technique (figure 7 of the 2016 paper, figures 5 and 6 of the 2014 one), stages of a
+// technique with several passes (figures 5 and 9 of 2014).
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -68,8 +68,8 @@ void addExtremes(std::vector<std::string>& lines, const std::vector<Pair>& pairs
             : fmt::format("Certified cannot be told from published in time (some repeat was as fast) with, in so many scenes and lights: {}.",
                           fmt::join(words, ", ")));
     const auto dearest = std::max_element(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.ratio.median < b.ratio.median; });
-    lines.push_back(
-        fmt::format("Exactness is dearest on {} with {}: {} of published.", dearest->setup->title, dearest->exact->technique, times(dearest->ratio)));
+    lines.push_back(fmt::format("Exactness is dearest on {} with {}: {} of published.", dearest->setup->title, dearest->exact->technique,
+                                times(dearest->ratio)));
 }
 
 /// One sentence a setup: the cheapest exact answer, the cheapest of all, and the most right of those that cannot be exact.
@@ -95,8 +95,8 @@ void addSetup(std::vector<std::string>& lines, const Setup& setup) {
     if (certified != nullptr && certified != exact)
         line += fmt::format("; the cheapest that promises it, {}, takes {} of that", certified->fullName(), times(timeRatio(*certified, *exact)));
     if (fastest != exact)
-        line += fmt::format("; the fastest of all, {}, takes {} of that and leaves {} wrong", fastest->fullName(), times(timeRatio(*fastest, *exact)),
-                            perMillion(fastest->wrongPerMillion()));
+        line += fmt::format("; the fastest of all, {}, takes {} of that and leaves {} wrong", fastest->fullName(),
+                            times(timeRatio(*fastest, *exact)), perMillion(fastest->wrongPerMillion()));
     if (search != nullptr && search != fastest && search != exact)
         line +=
             fmt::format("; {} leaves {} wrong at {}", search->fullName(), perMillion(search->wrongPerMillion()), times(timeRatio(*search, *exact)));
@@ -143,8 +143,8 @@ std::vector<std::string> findingsOf(const Study& study) {
     for (const Setup& setup : study.setups)
         for (const Variant& variant : setup.variants)
             if (variant.isChecked() && variant.precision == "certified" && variant.wrong > 0)
-                lines.push_back(fmt::format("BROKEN PROMISE: on {} {} leaves {} of {} samples wrong.", setup.title, variant.fullName(), variant.wrong,
-                                            variant.checked));
+                lines.push_back(fmt::format("BROKEN PROMISE: on {} {} leaves {} of {} samples wrong.", setup.title, variant.fullName(),
+                                            variant.wrong, variant.checked));
     const std::vector<Pair> pairs = exactAgainstPublished(study);
     addExtremes(lines, pairs);
     addTechniques(lines, pairs);

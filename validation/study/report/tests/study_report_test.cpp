@@ -78,7 +78,8 @@ TEST(Front, IsWhatItsDefinitionSays) {
         };
         std::set<std::pair<double, double>> want, got;
         for (const Cost& cost : costs)
-            if (std::none_of(costs.begin(), costs.end(), [&](const Cost& other) { return beats(other, cost); })) want.insert({cost.time, cost.error});
+            if (std::none_of(costs.begin(), costs.end(), [&](const Cost& other) { return beats(other, cost); }))
+                want.insert({cost.time, cost.error});
         const auto front = paretoFront(costs);
         for (const size_t i : front) got.insert({costs[i].time, costs[i].error});
         ASSERT_EQ(got, want);
@@ -191,7 +192,8 @@ TEST(Charts, Scales) {
     EXPECT_FALSE(scale.place(std::nan("")));
     for (size_t i = 1; i < scale.ticks().size(); ++i) EXPECT_GT(scale.ticks()[i].first, scale.ticks()[i - 1].first);
     axis.zeroShare = 0.5;
-    for (const double value : {3.0, 830.0, 99999.0}) {  // whatever the decades are, the row for zero is 1.2 of their 1 + 1.6 shares: who fills it relies on that
+    for (const double value :
+         {3.0, 830.0, 99999.0}) {  // whatever the decades are, the row for zero is 1.2 of their 1 + 1.6 shares: who fills it relies on that
         const viz::Scale one(axis, std::vector{0.0, value});
         EXPECT_NEAR((*one.zeroLine() - one.low()) / (one.high() - one.low()), 1.2 * 0.5 / (1 + 1.6 * 0.5), 1e-12) << value;
     }
@@ -215,7 +217,8 @@ std::array<double, 3> labOf(const viz::Color& color) {
 }
 
 TEST(Charts, ColorsStayAndDiffer) {
-    const std::vector<std::string> names{"psv", "d-psv", "d-stackless", "d-hybrid", "forest", "light-bvh", "light-grid", "ptsv", "ptsv-2011", "ray-query", "shadow-map", "embree"};
+    const std::vector<std::string> names{"psv",        "d-psv", "d-stackless", "d-hybrid",  "forest",     "light-bvh",
+                                         "light-grid", "ptsv",  "ptsv-2011",   "ray-query", "shadow-map", "embree"};
     const auto colors = viz::colorsOf(names);
     for (const auto& [name, color] : colors)
         for (const auto& [other, otherColor] : colors) {
