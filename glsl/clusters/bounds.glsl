@@ -3,8 +3,8 @@
 // After Sintorn et al., I3D 2014, section 2 ("Traversal", trivial reject and trivial accept points) and 2.1; uncertainties are this project's.
 //
 //   GnoClusterBounds gnoClusterBox(vec4 light, vec3 low, vec3 high)       explicit: the exact least and largest coordinates of the node's samples
-//   GnoClusterBounds gnoClusterCell(GnoClusterFrame frame, GnoClusterLayout layout, vec4 light, uvec2 first, uvec2 end, float near, float far, float
-//   slack)
+//   GnoClusterBounds gnoClusterCell(GnoClusterFrame frame, GnoClusterLayout layout, vec4 light, uvec2 first, uvec2 end,
+//                                   float near, float far, float slack)
 //        implicit and flat: tiles first <= tile < end, depths near .. far; every sample of the node lies within `slack` of that piece of the view
 //   vec2  gnoClusterRange(GnoClusterFrame frame, vec4 light, GnoClusterBounds bounds, vec4 plane)        least and largest side over the bounds
 //   float gnoClusterOutside(GnoClusterFrame frame, vec3 p, vec2 slopesLow, vec2 slopesHigh)  how far p lies outside the tile, for `slack`
@@ -15,14 +15,11 @@
 // Requires   #version 450, no extension
 //
 // When a side is certain. The exact plane through light and edge has one sign on all samples of a node when the stored plane's side is beyond
-// `margin` of that
-// sign on all of the bounds: top/plane.glsl, (2), (4) and (5), bound by E scale (cap: E (scale + reach), directional: 2 E S) how far both differ,
-// scale being the largest
+// `margin` of that sign on all of the bounds: top/plane.glsl, (2), (4) and (5), bound by E scale (cap: E (scale + reach), directional: 2 E S) how
+// far both differ, scale being the largest
 // |q| of the bounds; gnoTopMargin is three times that (directional: 6 E S). What is left, 2E scale, covers the rounding of the range of a box
-// (differences, products
-// and sums: 7u scale, E = 8u). A cell adds `uncertain`: its ranges have terms as large as T = |origin - light| + |offset| + depth (1 + slopes), each
-// with at most 16u = 2E
-// of relative error (the basis is orthonormal to 4u), taken twice; and slack, since |xyz| <= 1.
+// (differences, products and sums: 7u scale, E = 8u). A cell adds `uncertain`: its ranges have terms as large as T = |origin - light| + |offset| +
+// depth (1 + slopes), each with at most 16u = 2E of relative error (the basis is orthonormal to 4u), taken twice; and slack, since |xyz| <= 1.
 #ifndef GNO_CLUSTERS_BOUNDS_GLSL
 #define GNO_CLUSTERS_BOUNDS_GLSL
 #include "../core/light.glsl"
@@ -104,8 +101,7 @@ GNO_INLINE vec2 gnoClusterRange(GnoClusterFrame frame_, vec4 light_, GnoClusterB
 }
 
 // The distance from p to the point of its own depth inside the tile, rounded up generously: 1.5 > sqrt(2) times the larger of both axes, and 2^-19
-// of the way from the
-// viewer for the rounding of the basis and of this function.
+// of the way from the viewer for the rounding of the basis and of this function.
 GNO_INLINE float gnoClusterOutside(GnoClusterFrame frame_, vec3 p_, vec2 slopesLow_, vec2 slopesHigh_) {
     vec3 d_ = p_ - vec3(frame_.origin.x, frame_.origin.y, frame_.origin.z);
     float x_ = gnoDot(vec3(frame_.right.x, frame_.right.y, frame_.right.z), d_);

@@ -17,12 +17,10 @@
 //   compact           tiles (masks), up (masks), allocate, tiles (bounds), up (bounds)
 //
 // The paper updates bounds upwards by atomics in two steps; here a node's bounds are the union of its children's, which are complete because a level
-// is a dispatch, so
-// there is no contention and no atomic but the bits of the masks. A cluster has all its samples in one tile: its bounds are made in shared memory.
-// The compact form keeps a
-// pointer per word, not per node: a child's box is found by its rank among its siblings. Words that find the list full have no boxes, and their
-// children (and
-// whoever needs a bound over these) fall back to the implicit one: the answer stays right, and header.boxCount says how long the list should be.
+// is a dispatch, so there is no contention and no atomic but the bits of the masks. A cluster has all its samples in one tile: its bounds are made
+// in shared memory. The compact form keeps a pointer per word, not per node: a child's box is found by its rank among its siblings. Words that find
+// the list full have no boxes, and their children (and whoever needs a bound over these) fall back to the implicit one: the answer stays right, and
+// header.boxCount says how long the list should be.
 //
 // Space      positions on the scene grid
 // Stages     compute; gnoClusterMeasureDepth and gnoClusterAddTile hold barriers: all invocations of the work group call them, once
@@ -31,6 +29,9 @@
 // Cost       one atomic per cluster and node; 1 KiB of shared memory
 //
 // Macro                        required  default                   meaning
+// GNO_CLUSTER_BUILDS           no        1                         which functions this shader has: GNO_CLUSTER_PASS_RESET, .._RANGE, .._SLICES,
+//                                                                  .._TILES, .._UP, .._ALLOCATE; several with |, 1 for all; bindings.glsl makes
+//                                                                  writable what they write
 // GNO_CLUSTER_HEADER           yes       -                         GnoClusterHeader in a storage buffer
 // GNO_CLUSTER_SHADE            yes       -                         array of uint, gnoClusterShadeWords
 // The macros of nodes.glsl
@@ -38,6 +39,12 @@
 #define GNO_CLUSTERS_BUILD_GLSL
 #include "bounds.glsl"
 #include "nodes.glsl"
+#ifndef GNO_CLUSTER_BUILDS
+#define GNO_CLUSTER_BUILDS 1
+#endif
+#if (GNO_CLUSTER_BUILDS) == 0
+#error "clusters/build.glsl: which pass is this? define GNO_CLUSTER_BUILDS before clusters/bindings.glsl, as clusters/cluster.h says"
+#endif
 #if !defined(GNO_CLUSTER_HEADER) || !defined(GNO_CLUSTER_SHADE)
 #error "clusters/build.glsl: define GNO_CLUSTER_HEADER and GNO_CLUSTER_SHADE or include clusters/bindings.glsl before this file"
 #endif
@@ -51,6 +58,7 @@ shared uint gnoClusterLeast_;
 shared uint gnoClusterLargest_;
 shared uint gnoClusterSlack_;
 
+#if (GNO_CLUSTER_BUILDS) & (1 | GNO_CLUSTER_PASS_RESET)
 void gnoClusterReset(uint index_, uint count_) {
     if (index_ == 0u) {
         GNO_CLUSTER_HEADER.leastDepth = 0xFFFFFFFFu;
@@ -61,13 +69,18 @@ void gnoClusterReset(uint index_, uint count_) {
         GNO_CLUSTER_HEADER.nextJob = 0u;
         GNO_CLUSTER_HEADER.jobCount = 0u;
         GNO_CLUSTER_HEADER.groups = uvec4(0u, 1u, 1u, 0u);
+        GNO_CLUSTER_HEADER.tiles = 0u;
+        GNO_CLUSTER_HEADER.levels = 0u;
+        GNO_CLUSTER_HEADER.state = gnoState(GNO_STATE_ANY);
     }
     uint words_ = gnoClusterWordCount(GNO_CLUSTER_LAYOUT);
     for (uint i_ = index_; i_ < words_; i_ += count_) GNO_CLUSTER_MASKS[i_] = 0u;
     uint shade_ = gnoClusterShadeWords(GNO_CLUSTER_LAYOUT);
     for (uint i_ = index_; i_ < shade_; i_ += count_) GNO_CLUSTER_SHADE[i_] = 0u;
 }
+#endif
 
+#if (GNO_CLUSTER_BUILDS) & (1 | GNO_CLUSTER_PASS_RANGE)
 void gnoClusterMeasureDepth(GnoViewSample s_, uint invocation_) {
     if (invocation_ == 0u) {
         gnoClusterLeast_ = 0xFFFFFFFFu;
@@ -85,13 +98,16 @@ void gnoClusterMeasureDepth(GnoViewSample s_, uint invocation_) {
         atomicMax(GNO_CLUSTER_HEADER.largestDepth, gnoClusterLargest_);
     }
 }
+#endif
 
 float gnoClusterSliceAt(uint slice_) {
     float least_ = gnoClusterFromOrdered(GNO_CLUSTER_HEADER.leastDepth);
     float largest_ = gnoClusterFromOrdered(GNO_CLUSTER_HEADER.largestDepth);
+    if (slice_ == 0u) GNO_CLUSTER_HEADER.levels = 1u;
     return gnoClusterSliceStart(GNO_CLUSTER_FRAME, GNO_CLUSTER_LAYOUT, least_, largest_, slice_);
 }
 
+#if (GNO_CLUSTER_BUILDS) & (1 | GNO_CLUSTER_PASS_TILES | GNO_CLUSTER_PASS_UP)
 void gnoClusterStoreBox_(uint index_, vec3 low_, vec3 high_) {
     uint at_ = 3u * index_;
     GNO_CLUSTER_LOW[at_] = low_.x;
@@ -106,7 +122,9 @@ void gnoClusterStoreBox_(uint index_, vec3 low_, vec3 high_) {
 void gnoClusterMark_(uint depth_, uint key_) {
     atomicOr(GNO_CLUSTER_MASKS[gnoClusterWord(GNO_CLUSTER_LAYOUT, depth_ - 1u, key_ >> 5u)], 1u << (key_ & 31u));
 }
+#endif
 
+#if (GNO_CLUSTER_BUILDS) & (1 | GNO_CLUSTER_PASS_TILES)
 void gnoClusterAddTile(uvec2 tile_, uint invocation_, GnoViewSample s_, uint what_) {
     if (invocation_ == 0u) gnoClusterSlack_ = 0u;
     bool there_ = s_.own <= GNO_NO_CASTER;
@@ -144,11 +162,19 @@ void gnoClusterAddTile(uvec2 tile_, uint invocation_, GnoViewSample s_, uint wha
         }
     }
     barrier();
-    if (invocation_ == 0u && gnoClusterSlack_ != 0u) atomicMax(GNO_CLUSTER_HEADER.slack, gnoClusterSlack_);
+    if (invocation_ == 0u) {
+        if (gnoClusterSlack_ != 0u) atomicMax(GNO_CLUSTER_HEADER.slack, gnoClusterSlack_);
+        atomicAdd(GNO_CLUSTER_HEADER.tiles, uint(bitCount(what_)));
+    }
 }
+#endif
 
+#if (GNO_CLUSTER_BUILDS) & (1 | GNO_CLUSTER_PASS_UP)
 // Low above high: a node without bounds of its own.
 void gnoClusterUp(uint depth_, uint key_, uint what_) {
+    if (key_ == 0u)  // one invocation of the dispatch
+        GNO_CLUSTER_HEADER.levels |= ((what_ & GNO_CLUSTER_MASKS_OF_NODES) != 0u ? 1u << depth_ : 0u) |
+                                     ((what_ & GNO_CLUSTER_BOUNDS_OF_NODES) != 0u ? 256u << depth_ : 0u);
     uint mask_ = GNO_CLUSTER_MASKS[gnoClusterWord(GNO_CLUSTER_LAYOUT, depth_, key_)];
     if (mask_ == 0u) return;
     if ((what_ & GNO_CLUSTER_MASKS_OF_NODES) != 0u) gnoClusterMark_(depth_, key_);
@@ -184,7 +210,9 @@ void gnoClusterUp(uint depth_, uint key_, uint what_) {
         gnoClusterStoreBox_(box_, known_ ? low_ : vec3(1.0f), known_ ? high_ : vec3(-1.0f));
     }
 }
+#endif
 
+#if (GNO_CLUSTER_BUILDS) & (1 | GNO_CLUSTER_PASS_ALLOCATE)
 void gnoClusterAllocate(uint word_) {
     uint mask_ = GNO_CLUSTER_MASKS[word_];
     if (mask_ == 0u) return;
@@ -193,4 +221,5 @@ void gnoClusterAllocate(uint word_) {
     bool fits_ = first_ + count_ <= GNO_CLUSTER_FRAME.boxCapacity && first_ + count_ >= first_;
     GNO_CLUSTER_POINTERS[word_] = uvec2(fits_ ? first_ : GNO_CLUSTER_NONE, mask_);
 }
+#endif
 #endif

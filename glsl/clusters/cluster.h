@@ -17,13 +17,14 @@
 //   uint gnoClusterSlices(GnoClusterLayout layout)                          depth slices
 //   uint gnoClusterTileHeight(GnoClusterLayout layout)                      pixels
 //   uint gnoClusterShadeWords(GnoClusterLayout layout)                      words of 32 samples in the shade array
+//   bool gnoClusterIsBuilt(uint state, uint tiles, uint levels, uint boxCount, GnoClusterLayout layout)      of a header: no pass over the view
+//   samples is missing
+//   uint gnoClusterState(GnoClusterHeader header, GnoClusterFrame frame, GnoClusterLayout layout)      the word of core/state.h: may it be asked?
 //
 // A leaf is a CLUSTER: the view samples of one tile of 8x8 pixels in one depth slice. Its key of `bits` bits holds tile x, tile y and slice,
-// interleaved from the low end (x
-// lowest); the slices' two extra bits stand on top. A node at depth d (1 .. levels; the root is 0) is named by the leading bits of a key: its index
-// among those of its
-// depth. Every node has 32 children (the root 2 to 32), so the tree is an array of 32-bit child masks, one WORD per inner node, and a node's index
-// follows from its key.
+// interleaved from the low end (x lowest); the slices' two extra bits stand on top. A node at depth d (1 .. levels; the root is 0) is named by the
+// leading bits of a key: its index among those of its depth. Every node has 32 children (the root 2 to 32), so the tree is an array of 32-bit child
+// masks, one WORD per inner node, and a node's index follows from its key.
 // The flat form of 2011 has no slices and tiles of 8x4 pixels.
 //
 //   1024x1024   7 + 7 + 9 = 23 bits   5 levels   words 1, 8, 256, 8192, 262144   8,659,208 nodes          (section 3: 8.65 million)
@@ -31,7 +32,7 @@
 //   8192x8192   10 + 10 + 9           6 levels   (compact: 8) slices are coarser, so that an array of all words stays within a binding of 128 MiB
 //
 //   array      bytes                     written by                                        read by
-//   header     64                        reset, range, tiles, allocate, traversal (atomics) all
+//   header     64                        all but merge (tiles, traversal: atomics)         all
 //   slices     4 (slices + 1)            slices                                            tiles, traversal (implicit), merge
 //   masks      4 words                   reset; tiles, up; traversal (atomics only)        up; traversal (atomics only); merge
 //   shade      8 bytes a tile (flat: 4)  reset; traversal (atomics only)                   traversal (atomics only); merge
@@ -40,9 +41,22 @@
 //   volumes    112 n                     volumes                                           traversal
 //   info       8 n                       volumes                                           traversal
 //   jobs       8 capacity                expand                                            finish
+//
+// A shader that builds or traverses says which pass it is, before bindings.glsl: #define GNO_CLUSTER_BUILDS GNO_CLUSTER_PASS_TILES; several with |,
+// all: 1.
 #ifndef GNO_CLUSTERS_CLUSTER_H
 #define GNO_CLUSTERS_CLUSTER_H
-#include "../core/shared_types.h"
+#include "../core/state.h"
+#define GNO_CLUSTER_PASS_RESET 2      // writes header, masks and shade
+#define GNO_CLUSTER_PASS_RANGE 4      // header
+#define GNO_CLUSTER_PASS_SLICES 8     // slices, by its caller; header
+#define GNO_CLUSTER_PASS_TILES 16     // masks, header, low, high
+#define GNO_CLUSTER_PASS_UP 32        // masks, low, high, header
+#define GNO_CLUSTER_PASS_ALLOCATE 64  // header, pointers
+#define GNO_CLUSTER_PASS_VOLUMES 128  // volumes, info, header
+#define GNO_CLUSTER_PASS_EXPAND 256   // masks, shade, jobs, header
+#define GNO_CLUSTER_PASS_FINISH 512   // masks, shade, header
+#define GNO_CLUSTER_PASS_SIZES 1024   // header, by its caller
 GNO_NAMESPACE_BEGIN
 
 // Where a node's bounds come from.
@@ -100,13 +114,34 @@ struct GnoClusterHeader {   // std430, 64 bytes
     uint nextCaster;        // 16  counter of the first pass's jobs
     uint nextJob;           // 20  of the second pass's
     uint jobCount;          // 24  jobs left for the second pass; more than the capacity: finished in place
-    uint unused0;           // 28
+    uint state;             // 28  reset: gnoState(GNO_STATE_ANY), core/state.h
     uvec4 groups;           // 32  xyz: arguments of the second pass's indirect dispatch
-    uvec4 unused1;          // 48
+    uint tiles;             // 48  work groups that put masks, and those that put bounds
+    uint levels;            // 52  bits: 0 slices, depth: its masks went up, 8 + depth: its bounds did
+    uint volumes;           // 56  volumes: gnoState(precision); they outlive the view samples
+    uint unused0;           // 60
 };
 GNO_STRUCT_SIZE(GnoClusterHeader, 64)
+GNO_STRUCT_OFFSET(GnoClusterHeader, state, 28)
 GNO_STRUCT_OFFSET(GnoClusterHeader, nextCaster, 16)
 GNO_STRUCT_OFFSET(GnoClusterHeader, groups, 32)
+
+// All passes over view samples are done, so volumes may go through the hierarchy.
+GNO_INLINE bool gnoClusterIsBuilt(uint state_, uint tiles_, uint levels_, uint boxes_, GnoClusterLayout layout_) {
+    bool bounds_ = layout_.form != GNO_CLUSTER_IMPLICIT;
+    uint put_ = layout_.tiles.x * layout_.tiles.y * (bounds_ ? 2u : 1u);
+    uint up_ = (1u << layout_.levels) - 2u;  // depths 1 .. levels - 1
+    uint noted_ = layout_.form == GNO_CLUSTER_FLAT ? levels_ | 1u : levels_;  // it has no slices
+    if (state_ != gnoState(GNO_STATE_ANY) || tiles_ != put_ || noted_ != ((bounds_ ? up_ << 8u : 0u) | up_ | 1u)) return false;
+    return layout_.form != GNO_CLUSTER_COMPACT || boxes_ != 0u;
+}
+
+// The word of core/state.h for the merge: it is built, and all volumes went through it.
+GNO_INLINE uint gnoClusterState(GnoClusterHeader header_, GnoClusterFrame frame_, GnoClusterLayout layout_) {
+    uint jobs_ = header_.jobCount < frame_.jobCapacity ? header_.jobCount : frame_.jobCapacity;
+    bool done_ = header_.nextCaster >= frame_.casterCount && header_.nextJob >= jobs_ && header_.largestDepth != 0u;
+    return done_ && gnoClusterIsBuilt(header_.state, header_.tiles, header_.levels, header_.boxCount, layout_) ? header_.state : 0u;
+}
 
 GNO_INLINE uint gnoClusterBits_(uint count_) {  // bits that hold 0 .. count - 1
     uint bits_ = 0u;

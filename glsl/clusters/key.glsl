@@ -11,12 +11,9 @@
 //   it begins
 //
 // Slices are exponential, as deep as a tile is high: each begins 1 + 2 tan(half field of view) / (tiles in height) times as far away as the one
-// before (equation 1),
-// from the nearest view sample on. Where that takes more slices than a key has, the ratio is larger. Samples nearer than 2^-16 of the farthest (or
-// behind the
-// viewer) share slice 0. An orthographic view has equal slices. A slice is looked up in the table of its beginnings, so every pass finds the same
-// one,
-// whatever the device's logarithm.
+// before (equation 1), from the nearest view sample on. Where that takes more slices than a key has, the ratio is larger. Samples nearer than 2^-16
+// of the farthest (or behind the viewer) share slice 0. An orthographic view has equal slices. A slice is looked up in the table of its beginnings,
+// so every pass finds the same one, whatever the device's logarithm.
 //
 // Space      p on the scene grid
 // Stages     any; pure

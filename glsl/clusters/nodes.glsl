@@ -24,9 +24,11 @@
 #ifndef GNO_CLUSTERS_NODES_GLSL
 #define GNO_CLUSTERS_NODES_GLSL
 #include "key.glsl"
-#if !defined(GNO_CLUSTER_FRAME) || !defined(GNO_CLUSTER_LAYOUT) || !defined(GNO_CLUSTER_FORM) || !defined(GNO_CLUSTER_SLICES) || !defined(GNO_CLUSTER_MASKS) || \
-    !defined(GNO_CLUSTER_LOW) || !defined(GNO_CLUSTER_HIGH) || !defined(GNO_CLUSTER_POINTERS)
-#error "clusters/nodes.glsl: define GNO_CLUSTER_FRAME, GNO_CLUSTER_LAYOUT, GNO_CLUSTER_FORM, GNO_CLUSTER_SLICES, GNO_CLUSTER_MASKS, GNO_CLUSTER_LOW, GNO_CLUSTER_HIGH and GNO_CLUSTER_POINTERS or include clusters/bindings.glsl before this file"
+#if !defined(GNO_CLUSTER_FRAME) || !defined(GNO_CLUSTER_LAYOUT) || !defined(GNO_CLUSTER_FORM) || !defined(GNO_CLUSTER_SLICES)
+#error "clusters/nodes.glsl: define GNO_CLUSTER_FRAME, GNO_CLUSTER_LAYOUT, GNO_CLUSTER_FORM and GNO_CLUSTER_SLICES (or include bindings.glsl)"
+#endif
+#if !defined(GNO_CLUSTER_MASKS) || !defined(GNO_CLUSTER_LOW) || !defined(GNO_CLUSTER_HIGH) || !defined(GNO_CLUSTER_POINTERS)
+#error "clusters/nodes.glsl: define GNO_CLUSTER_MASKS, GNO_CLUSTER_LOW, GNO_CLUSTER_HIGH and GNO_CLUSTER_POINTERS (or include bindings.glsl)"
 #endif
 
 // Beginnings below and above: at every step entry low <= depth < entry high, or high is the end.

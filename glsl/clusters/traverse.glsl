@@ -6,12 +6,11 @@
 //   void gnoClusterFinish()       pass 2, only with frame.split > 0: takes the jobs that pass 1 left; by indirect dispatch, say
 //   (examples/finish_size.comp)
 //
-// A node's 32 children are tested by as many lanes as the subgroup has: a child that lies wholly outside one plane of the volume is rejected, one
+// A node's 32 children are tested by as many lanes as are active: a child that lies wholly outside one plane of the volume is rejected, one
 // that lies wholly inside all
 // of them is accepted (its bit is cleared: all its samples are in shadow; other volumes need not look at it again), the rest is pending. The walk is
-// depth first, with one word of
-// pending children per level. At a cluster, the lanes test the tile's samples (the paper's way: all of the tile's, not only the cluster's) that are
-// not dark yet.
+// depth first, with one word of pending children per level. At a cluster, the lanes test the tile's samples (the paper's way: all of the tile's, not
+// only the cluster's) that are not dark yet.
 // Load balance: pass 1 goes down to depth frame.split and leaves (caster, node) in a list; pass 2 finishes it. A job that finds the list full is
 // finished in place.
 // A caster that lets light through accepts no node: what it takes depends on where the light crosses it, sample by sample. It tests the cluster's
@@ -25,13 +24,18 @@
 //                            not skipped
 //
 // Space      positions on the scene grid
-// Stages     compute; subgroups of 4 to 128; the whole subgroup calls together. Work groups of any multiple of the subgroup's size, at least 32
-//            invocations where it has more
+// Stages     compute; subgroups of 1 to 128; all invocations of a subgroup that are active call together. These are counted: gl_SubgroupSize tells
+//            how
+//            many there may be, not how many there are (a driver may run fewer, a work group may not fill its last subgroup). Work groups of any
+//            size;
+//            32 invocations and a multiple of the subgroup's size waste none
 // Requires   #version 450, GL_KHR_shader_subgroup_basic and GL_KHR_shader_subgroup_ballot
 // Reads      volumes, info, low, high, pointers, slices, samples, casters (in the band only); masks, shade (atomically)
 // Writes     masks, shade, jobs, header
 //
 // Macro                             required  default                   meaning
+// GNO_CLUSTER_BUILDS                no        1                         which functions this shader has: GNO_CLUSTER_PASS_EXPAND, .._FINISH, both
+//                                                                       with |, or 1 for both
 // GNO_CLUSTER_HEADER                yes       -                         GnoClusterHeader in a storage buffer
 // GNO_CLUSTER_SHADE                 yes       -                         array of uint, gnoClusterShadeWords
 // GNO_CLUSTER_VOLUMES               yes       -                         array of vec4, 7 per caster
@@ -55,12 +59,22 @@
 #ifndef GNO_CLUSTERS_TRAVERSE_GLSL
 #define GNO_CLUSTERS_TRAVERSE_GLSL
 #include "../core/counters.glsl"
+#include "../core/debug.glsl"
 #include "../core/decide.glsl"
 #include "../top/plane.glsl"
 #include "bounds.glsl"
 #include "nodes.glsl"
-#if !defined(GNO_CLUSTER_HEADER) || !defined(GNO_CLUSTER_SHADE) || !defined(GNO_CLUSTER_VOLUMES) || !defined(GNO_CLUSTER_INFO) || !defined(GNO_CLUSTER_JOBS)
-#error "clusters/traverse.glsl: define GNO_CLUSTER_HEADER, GNO_CLUSTER_SHADE, GNO_CLUSTER_VOLUMES, GNO_CLUSTER_INFO and GNO_CLUSTER_JOBS or include clusters/bindings.glsl before this file"
+#ifndef GNO_CLUSTER_BUILDS
+#define GNO_CLUSTER_BUILDS 1
+#endif
+#if !((GNO_CLUSTER_BUILDS) & (1 | GNO_CLUSTER_PASS_EXPAND | GNO_CLUSTER_PASS_FINISH))
+#error "clusters/traverse.glsl: which pass is this? define GNO_CLUSTER_BUILDS before clusters/bindings.glsl, as clusters/cluster.h says"
+#endif
+#if !defined(GNO_CLUSTER_HEADER) || !defined(GNO_CLUSTER_SHADE) || !defined(GNO_CLUSTER_VOLUMES) || !defined(GNO_CLUSTER_INFO)
+#error "clusters/traverse.glsl: define GNO_CLUSTER_HEADER, GNO_CLUSTER_SHADE, GNO_CLUSTER_VOLUMES and GNO_CLUSTER_INFO (or include bindings.glsl)"
+#endif
+#ifndef GNO_CLUSTER_JOBS
+#error "clusters/traverse.glsl: define GNO_CLUSTER_JOBS (or include bindings.glsl)"
 #endif
 #ifndef GNO_CLUSTER_LOAD_SAMPLE
 #error "clusters/traverse.glsl: define GNO_CLUSTER_LOAD_SAMPLE(pixel)"
@@ -92,6 +106,13 @@
 #ifndef GNO_CLUSTER_ON_JOB
 #define GNO_CLUSTER_ON_JOB(job_)
 #endif
+
+struct GnoClusterLanes_ {  // the subgroup's invocations that are active
+    uvec4 ids;             // a bit each
+    uint count;
+    uint rank;  // of this one among them
+    bool gaps;  // their ids are not 0, 1, 2, ...
+};
 
 struct GnoClusterVolume_ {
     uint caster;
@@ -201,21 +222,45 @@ uint gnoClusterReadShade_(uint word_) {
     return subgroupBroadcastFirst(mask_);
 }
 
+GnoClusterLanes_ gnoClusterCountLanes_() {
+    GnoClusterLanes_ lanes_;
+    lanes_.ids = subgroupBallot(true);
+    lanes_.count = subgroupBallotBitCount(lanes_.ids);
+    lanes_.rank = subgroupBallotExclusiveBitCount(lanes_.ids);
+    lanes_.gaps = lanes_.ids.x != (lanes_.count < 32u ? (1u << lanes_.count) - 1u : 0xFFFFFFFFu);
+    return lanes_;
+}
+
+// Bit r: the invocation of rank r < 32 voted for it. A ballot has it at that invocation's id.
+uint gnoClusterByRank_(GnoClusterLanes_ lanes_, uvec4 ballot_) {
+    if (!lanes_.gaps) return ballot_.x;
+    uint result_ = 0u;
+    uint rank_ = 0u;
+    for (uint word_ = 0u; word_ < 4u; ++word_) {
+        for (uint rest_ = lanes_.ids[word_]; rest_ != 0u && rank_ < 32u; rest_ &= rest_ - 1u) {
+            uint lowest_ = rest_ & (~rest_ + 1u);
+            if ((ballot_[word_] & lowest_) != 0u) result_ |= 1u << rank_;
+            ++rank_;
+        }
+    }
+    return result_;
+}
+
 // Opens the inner node at depth 0 .. levels - 1: children to go into.
-uint gnoClusterOpen_(GnoClusterVolume_ v_, uint depth_, uint key_) {
+uint gnoClusterOpen_(GnoClusterLanes_ lanes_, GnoClusterVolume_ v_, uint depth_, uint key_) {
     uint word_ = gnoClusterWord(GNO_CLUSTER_LAYOUT, depth_, key_);
     uint alive_ = gnoClusterReadMask_(word_);
     uint pending_ = 0u;
     uint accepted_ = 0u;
-    for (uint base_ = 0u; base_ < 32u; base_ += gl_SubgroupSize) {
-        uint child_ = base_ + gl_SubgroupInvocationID;
+    for (uint base_ = 0u; base_ < 32u; base_ += lanes_.count) {
+        uint child_ = base_ + lanes_.rank;
         uint class_ = 0u;
         if (child_ < 32u && (alive_ & (1u << child_)) != 0u) {
             GNO_COUNT(nodeTests, 1u);
             class_ = gnoClusterClassify_(v_, gnoClusterBoundsOf_(depth_ + 1u, (key_ << 5u) | child_));
         }
-        pending_ |= subgroupBallot(class_ == 1u).x << base_;
-        accepted_ |= subgroupBallot(class_ == 2u).x << base_;
+        pending_ |= gnoClusterByRank_(lanes_, subgroupBallot(class_ == 1u)) << base_;
+        accepted_ |= gnoClusterByRank_(lanes_, subgroupBallot(class_ == 2u)) << base_;
     }
     if (accepted_ != 0u && subgroupElect()) {
         atomicAnd(GNO_CLUSTER_MASKS[word_], ~accepted_);
@@ -242,15 +287,15 @@ bool gnoClusterHolds_(GnoClusterVolume_ v_, vec3 p_) {
 }
 
 // All samples of the cluster's tile that are not dark yet.
-void gnoClusterTest_(GnoClusterVolume_ v_, uint key_) {
+void gnoClusterTest_(GnoClusterLanes_ lanes_, GnoClusterVolume_ v_, uint key_) {
     uvec2 tile_ = uvec2(gnoClusterExtract(key_, GNO_CLUSTER_LAYOUT.maskX), gnoClusterExtract(key_, GNO_CLUSTER_LAYOUT.maskY));
     uint words_ = gnoClusterTileHeight(GNO_CLUSTER_LAYOUT) / 4u;
     uint word_ = (tile_.y * GNO_CLUSTER_LAYOUT.tiles.x + tile_.x) * words_;
     for (uint half_ = 0u; half_ < words_; ++half_) {
         uint dark_ = gnoClusterReadShade_(word_ + half_);
         uint found_ = 0u;
-        for (uint base_ = 0u; base_ < 32u; base_ += gl_SubgroupSize) {
-            uint bit_ = base_ + gl_SubgroupInvocationID;
+        for (uint base_ = 0u; base_ < 32u; base_ += lanes_.count) {
+            uint bit_ = base_ + lanes_.rank;
             uvec2 pixel_ = gnoClusterTilePixel(GNO_CLUSTER_FORM, tile_, 32u * half_ + bit_);
             bool inside_ = false;
             if (bit_ < 32u && (dark_ & (1u << bit_)) == 0u && all(lessThan(pixel_, GNO_CLUSTER_FRAME.size))) {
@@ -270,7 +315,7 @@ void gnoClusterTest_(GnoClusterVolume_ v_, uint key_) {
 #endif
                 }
             }
-            found_ |= subgroupBallot(inside_).x << base_;
+            found_ |= gnoClusterByRank_(lanes_, subgroupBallot(inside_)) << base_;
         }
         if (found_ != 0u && subgroupElect()) atomicOr(GNO_CLUSTER_SHADE[word_ + half_], found_);
     }
@@ -278,29 +323,36 @@ void gnoClusterTest_(GnoClusterVolume_ v_, uint key_) {
 
 // True: the job stands in the list.
 bool gnoClusterLeave_(uint caster_, uint key_) {
+#if (GNO_CLUSTER_BUILDS) & (1 | GNO_CLUSTER_PASS_EXPAND)
     uint slot_ = 0u;
     if (subgroupElect()) {
         slot_ = atomicAdd(GNO_CLUSTER_HEADER.jobCount, 1u);
         if (slot_ < GNO_CLUSTER_FRAME.jobCapacity) GNO_CLUSTER_JOBS[slot_] = uvec2(caster_, key_);
     }
     return subgroupBroadcastFirst(slot_) < GNO_CLUSTER_FRAME.jobCapacity;
+#else
+    return false;
+#endif
 }
 
 // From the node at depth `start` on; jobs are left at depth `split`, 0: nowhere. Each turn opens one node, tests one cluster, or goes back up.
 void gnoClusterTraverse_(uint caster_, uint start_, uint key_, uint split_) {
     GnoClusterVolume_ v_ = gnoClusterLoadVolume_(caster_);
+    GnoClusterLanes_ lanes_ = gnoClusterCountLanes_();
     gnoClusterSteps = 0u;
     if (v_.facing == 0) return;
     uint levels_ = GNO_CLUSTER_LAYOUT.levels;
     uint pending_[GNO_CLUSTER_MOST_LEVELS + 1u];
     uint depth_ = start_;
     bool fresh_ = true;  // the node at depth_ was not looked at yet
+    GNO_DEBUG_TURNS_;
     while (true) {
+        GNO_DEBUG_TURN_(break);
         if (fresh_) {
             ++gnoClusterSteps;
             pending_[depth_] = 0u;
-            if (depth_ == levels_) gnoClusterTest_(v_, key_);
-            else pending_[depth_] = gnoClusterOpen_(v_, depth_, key_);
+            if (depth_ == levels_) gnoClusterTest_(lanes_, v_, key_);
+            else pending_[depth_] = gnoClusterOpen_(lanes_, v_, depth_, key_);
         }
         fresh_ = pending_[depth_] != 0u;
         if (fresh_) {
@@ -321,7 +373,13 @@ void gnoClusterTraverse_(uint caster_, uint start_, uint key_, uint split_) {
     }
 }
 
+#if (GNO_CLUSTER_BUILDS) & (1 | GNO_CLUSTER_PASS_EXPAND)
 void gnoClusterExpand() {
+    // Nothing of this is written meanwhile. Without it no caster is taken, and the merge knows.
+    if (GNO_CLUSTER_HEADER.volumes != gnoState(GNO_PRECISION)) return;
+    if (!gnoClusterIsBuilt(GNO_CLUSTER_HEADER.state, GNO_CLUSTER_HEADER.tiles, GNO_CLUSTER_HEADER.levels, GNO_CLUSTER_HEADER.boxCount,
+                           GNO_CLUSTER_LAYOUT))
+        return;
     uint split_ = min(GNO_CLUSTER_FRAME.split, GNO_CLUSTER_LAYOUT.levels);
     while (true) {
         uint job_ = 0u;
@@ -332,7 +390,9 @@ void gnoClusterExpand() {
         GNO_CLUSTER_ON_JOB(job_);
     }
 }
+#endif
 
+#if (GNO_CLUSTER_BUILDS) & (1 | GNO_CLUSTER_PASS_FINISH)
 void gnoClusterFinish() {
     uint jobs_ = min(GNO_CLUSTER_HEADER.jobCount, GNO_CLUSTER_FRAME.jobCapacity);
     uint split_ = min(GNO_CLUSTER_FRAME.split, GNO_CLUSTER_LAYOUT.levels);
@@ -346,4 +406,5 @@ void gnoClusterFinish() {
         GNO_CLUSTER_ON_JOB(job_);
     }
 }
+#endif
 #endif

@@ -3,6 +3,7 @@
 // After Sintorn et al., I3D 2014, section 2 ("Triangle Setup", figure 4) and, for the flat form, the two silhouette edges of SIGGRAPH Asia 2011.
 //
 //   void gnoClusterSetUpVolume(uint caster, int facing)         writes the caster's 7 planes and its info; facing 0: it is left out
+//   void gnoClusterFinishVolumes()                              one invocation of the same pass: the header says that there are volumes
 //
 // Per caster: lateral planes of ab, bc, ca and the capping plane, inside negative (top/plane.glsl: two casters that share an edge have the same
 // plane, up to its sign);
@@ -11,9 +12,8 @@
 //   right angle with the ray
 //   flat                           through light, viewer and a vertex, where the other two vertices lie on one side: at most two of the three do
 // An extra plane is kept only when its safety was seen. Let g be its side. Point light: g(v_i) <= 2E|v_i| (computed; 5u more exactly) for the three
-// vertices, and s, the
-// cosine that gnoTopSpread bounds from below, above 1/2. A point of the volume is q = sum l_i v_i, l_i >= 0, and |q| >= s sum l_i |v_i|, so g(q) <=
-// 3E|q|/s < 6E|q|.
+// vertices, and s, the cosine that gnoTopSpread bounds from below, above 1/2. A point of the volume is q = sum l_i v_i, l_i >= 0, and |q| >= s sum
+// l_i |v_i|, so g(q) <= 3E|q|/s < 6E|q|.
 // Directional: g(v_i) <= 2ES and |n.D'| <= 2E, a point is x - mu D' with mu <= 2S: g < 7ES. A node is rejected when all of it has g > 8E scale, one
 // E for rounding.
 //
@@ -21,9 +21,11 @@
 // Stages     any with storage buffers; no barrier, may diverge
 // Requires   #version 450, no extension
 // Reads      casters
-// Writes     volumes, info
+// Writes     volumes, info, header
 //
 // Macro                     required  default                   meaning
+// GNO_CLUSTER_BUILDS        no        1                         GNO_CLUSTER_PASS_VOLUMES, alone or with | among others, or 1
+// GNO_CLUSTER_HEADER        yes       -                         GnoClusterHeader in a storage buffer
 // GNO_CLUSTER_VOLUMES       yes       -                         array of vec4, 7 per caster
 // GNO_CLUSTER_INFO          yes       -                         array of uvec2, one per caster: facing + 1; largest gnoLightScale, float bits
 // GNO_CLUSTER_FRAME         yes       -                         GnoClusterFrame
@@ -35,8 +37,17 @@
 #define GNO_CLUSTERS_VOLUME_GLSL
 #include "../top/plane.glsl"
 #include "cluster.h"
+#ifndef GNO_CLUSTER_BUILDS
+#define GNO_CLUSTER_BUILDS 1
+#endif
+#if !((GNO_CLUSTER_BUILDS) & (1 | GNO_CLUSTER_PASS_VOLUMES))
+#error "clusters/volume.glsl: which pass is this? define GNO_CLUSTER_BUILDS before clusters/bindings.glsl, as clusters/cluster.h says"
+#endif
+#ifndef GNO_CLUSTER_HEADER
+#error "clusters/volume.glsl: define GNO_CLUSTER_HEADER (or include bindings.glsl)"
+#endif
 #if !defined(GNO_CLUSTER_VOLUMES) || !defined(GNO_CLUSTER_INFO) || !defined(GNO_CLUSTER_FRAME) || !defined(GNO_CLUSTER_FORM)
-#error "clusters/volume.glsl: define GNO_CLUSTER_VOLUMES, GNO_CLUSTER_INFO, GNO_CLUSTER_FRAME and GNO_CLUSTER_FORM or include clusters/bindings.glsl before this file"
+#error "clusters/volume.glsl: define GNO_CLUSTER_VOLUMES, GNO_CLUSTER_INFO, GNO_CLUSTER_FRAME and GNO_CLUSTER_FORM (or include bindings.glsl)"
 #endif
 #ifndef GNO_LIGHT
 #error "clusters/volume.glsl: define GNO_LIGHT, a homogeneous vec4"
@@ -86,6 +97,8 @@ GNO_INLINE vec4 gnoClusterSilhouettePlane_(vec3 v_, vec3 other_, vec3 third_) {
     vec4 plane_ = vec4(n_, offset_);
     return gnoTopSide(plane_, other_) + gnoTopSide(plane_, third_) > 0.0f ? -plane_ : plane_;
 }
+
+GNO_INLINE void gnoClusterFinishVolumes() { GNO_CLUSTER_HEADER.volumes = gnoState(GNO_PRECISION); }
 
 GNO_INLINE void gnoClusterSetUpVolume(uint caster_, int facing_) {
     uint at_ = 7u * caster_;

@@ -10,6 +10,9 @@
 // Macro                     required  default  meaning
 // GNO_CORE_SET              no        0        descriptor set
 // GNO_CORE_BINDING_CASTERS  no        0        casters, std430 float[9 n]: three vertices on the scene grid each, tightly packed (36 bytes)
+#ifdef GNO_CORE_BINDINGS_GLSL
+#error "core/bindings.glsl: a second inclusion changes nothing: GNO_CORE_SET and the other numbers are read once"
+#endif
 #ifndef GNO_CORE_BINDINGS_GLSL
 #define GNO_CORE_BINDINGS_GLSL
 #include "shared_types.h"

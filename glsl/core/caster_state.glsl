@@ -6,9 +6,8 @@
 //   int  gnoCasterFacing(uint state)                    facing of a kept caster, 0 of one that is left out
 //
 // Front-face culling drops what faces the light; it is legal only for closed, consistently oriented meshes, so it needs `closed`, and it changes the
-// set of
-// casters that the definition speaks of. Hull culling drops what lies outside the convex hull of view frustum and light; it never changes a view
-// sample:
+// set of casters that the definition speaks of. Hull culling drops what lies outside the convex hull of view frustum and light; it never changes a
+// view sample:
 // a caster goes only when it is outside one plane of that hull by more than the plane's own margin.
 //
 // Space      casters and light on the scene grid; front = counter-clockwise seen from the light

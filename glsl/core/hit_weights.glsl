@@ -15,8 +15,7 @@
 // Bits       with l = light - w p and a, b, c less p, Wa = |l . (b x c)| and so on. Each is a determinant of differences, hence at most
 //            4 * 27 * 2^120 < 2^127 (core/int128.glsl) and its absolute value fits 127 bits. The weights' bit length is taken from their bitwise
 //            or, so no sum of large numbers is formed. In a shadow volume the three have one sign, their sum is |l . ((b - a) x (c - a))|, which is
-//            not
-//            zero as light and p lie strictly on two sides of t, and the shift keeps the highest bit of the largest: not all weights are 0.
+//            not zero as light and p lie strictly on two sides of t, and the shift keeps the highest bit of the largest: not all weights are 0.
 //            Elsewhere the same integers come out, without a meaning; all three may be 0, and gnoWeightedMean is then 0
 // Stages     any; may diverge; pure
 // Requires   #version 450, no extension, no optional device feature (no int64, no fp64)

@@ -6,11 +6,9 @@
 // Requires   #version 450, no extension
 //
 // Texel coordinates are fixed point, in 1/256 texel: 256 * (u * width, v * height), u to the right and v downwards in the image, rounded to integers
-// and
-// below 2^30 in size. Whoever makes them moves a triangle of a repeating (mirrored) texture by whole repeats (pairs of repeats) until it is small.
-// Texels are 8 bits a channel, red in the lowest byte; colour is linear, alpha is as in the file. A material without a texture has width 0; each of
-// its
-// texels is 255, 255, 255, 255.
+// and below 2^30 in size. Whoever makes them moves a triangle of a repeating (mirrored) texture by whole repeats (pairs of repeats) until it is
+// small. Texels are 8 bits a channel, red in the lowest byte; colour is linear, alpha is as in the file. A material without a texture has width 0;
+// each of its texels is 255, 255, 255, 255.
 #ifndef GNO_CORE_MATERIAL_H
 #define GNO_CORE_MATERIAL_H
 #include "shared_types.h"

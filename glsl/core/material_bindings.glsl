@@ -7,7 +7,7 @@
 // The host writes the first four once per scene or frame; passes only read them. The sums are zeroed before the first pass that adds to them.
 //
 // Space      none: no positions
-// Stages     any with storage buffers
+// Stages     any with storage buffers; adding writes (fragment stage: fragmentStoresAndAtomics)
 // Requires   #version 450, no extension. Include before transmittance.glsl and transmittance_sum.glsl; layouts in material.h
 //
 // Macro                         required  default  meaning
@@ -16,7 +16,11 @@
 // GNO_MATERIAL_BINDING_SURFACES no        2        std430 GnoSurface[surfaces]
 // GNO_MATERIAL_BINDING_LIST     no        3        std430 GnoMaterial[materials]
 // GNO_MATERIAL_BINDING_TEXELS   no        4        std430 uint[texels]
-// GNO_MATERIAL_BINDING_SUMS     no        5        std430 uint[4 * pixels], see transmittance_sum.glsl; written
+// GNO_MATERIAL_BINDING_SUMS     no        5        std430 uint[4 * pixels], see transmittance_sum.glsl
+// GNO_TRANSMITTANCE_ADDS        no        0        1: this shader clears the sums or adds to them; 0: they are readonly
+#ifdef GNO_CORE_MATERIAL_BINDINGS_GLSL
+#error "core/material_bindings.glsl: a second inclusion changes nothing: GNO_MATERIAL_SET and the other numbers are read once"
+#endif
 #ifndef GNO_CORE_MATERIAL_BINDINGS_GLSL
 #define GNO_CORE_MATERIAL_BINDINGS_GLSL
 #include "material.h"
@@ -38,12 +42,21 @@
 #ifndef GNO_MATERIAL_BINDING_SUMS
 #define GNO_MATERIAL_BINDING_SUMS 5
 #endif
+#ifndef GNO_TRANSMITTANCE_ADDS
+#define GNO_TRANSMITTANCE_ADDS 0
+#endif
+#if GNO_TRANSMITTANCE_ADDS
+#define GNO_TRANSMITTANCE_ACCESS_
+#else
+#define GNO_TRANSMITTANCE_ACCESS_ readonly
+#endif
 
 layout(set = GNO_MATERIAL_SET, binding = GNO_MATERIAL_BINDING_OF, std430) readonly buffer GnoMaterialOfBuffer { uint v[]; } gnoMaterialOf;
 layout(set = GNO_MATERIAL_SET, binding = GNO_MATERIAL_BINDING_SURFACES, std430) readonly buffer GnoSurfaceBuffer { GnoSurface v[]; } gnoSurfaces;
 layout(set = GNO_MATERIAL_SET, binding = GNO_MATERIAL_BINDING_LIST, std430) readonly buffer GnoMaterialBuffer { GnoMaterial v[]; } gnoMaterials;
 layout(set = GNO_MATERIAL_SET, binding = GNO_MATERIAL_BINDING_TEXELS, std430) readonly buffer GnoTexelBuffer { uint v[]; } gnoTexels;
-layout(set = GNO_MATERIAL_SET, binding = GNO_MATERIAL_BINDING_SUMS, std430) coherent buffer GnoTransmittanceBuffer { uint v[]; } gnoTransmittances;
+layout(set = GNO_MATERIAL_SET, binding = GNO_MATERIAL_BINDING_SUMS, std430) GNO_TRANSMITTANCE_ACCESS_ buffer GnoTransmittanceBuffer { uint v[]; }
+gnoTransmittances;
 
 #define GNO_LOAD_MATERIAL_OF(caster_) gnoMaterialOf.v[caster_]
 #define GNO_LOAD_SURFACE(index_) gnoSurfaces.v[index_]

@@ -6,9 +6,8 @@
 //   returned
 //
 // Both are called by all GNO_PREFIX_GROUP invocations of a work group in uniform control flow. gnoArrayPrefix is for one work group alone: nothing
-// waits for another
-// one, on any device, and the array's sums are there for the next dispatch. It is meant for the short arrays of sums that many work groups leave
-// behind.
+// waits for another one, on any device, and the array's sums are there for the next dispatch. It is meant for the short arrays of sums that many
+// work groups leave behind.
 //
 // Space      none: no positions
 // Stages     compute; holds barriers
@@ -20,6 +19,7 @@
 // GNO_PREFIX_WORDS      no        -        array of uint in a storage buffer; needed for gnoArrayPrefix
 #ifndef GNO_CORE_PREFIX_SUM_GLSL
 #define GNO_CORE_PREFIX_SUM_GLSL
+#include "portable.h"
 #include "shared_types.h"
 #ifndef GNO_PREFIX_GROUP
 #define GNO_PREFIX_GROUP 64u
@@ -27,7 +27,7 @@
 
 shared uint gnoPrefixShared_[GNO_PREFIX_GROUP];
 
-uint gnoGroupPrefix(uint value_, uint invocation_, out uint total_) {
+uint gnoGroupPrefix(uint value_, uint invocation_, GNO_OUT(uint) total_) {
     barrier();  // an earlier call may still be read
     gnoPrefixShared_[invocation_] = value_;
     barrier();

@@ -6,10 +6,9 @@
 //   void gnoSortScatter(uint tile, uint invocation)      dispatch 3: every pair goes to its place
 //
 // A tile is GNO_SORT_TILE pairs and belongs to one work group; each invocation takes GNO_SORT_SHARE pairs in a row and has counters of its own in
-// shared memory, so there
-// is no atomic, and equal keys keep their order. A round reads keys and values and writes the sorted ones, which must be other arrays; eight rounds
-// (shift 0, 4 .. 28) sort
-// whole words and end where they began. Work groups wait for each other only at the ends of dispatches.
+// shared memory, so there is no atomic, and equal keys keep their order. A round reads keys and values and writes the sorted ones, which must be
+// other arrays; eight rounds (shift 0, 4 .. 28) sort whole words and end where they began. Work groups wait for each other only at the ends of
+// dispatches.
 //
 // Space      none: no positions
 // Stages     compute; holds barriers: all GNO_SORT_GROUP invocations of the work group call, in uniform control flow
@@ -18,19 +17,28 @@
 // Cost       each pair is read twice and written once per round; 4 KiB + 256 bytes of shared memory, 3 barriers
 //
 // Macro                     required  default  meaning
+// GNO_SORT_RUNS             no        1        which functions this shader has: GNO_SORT_PASS_COUNT, GNO_SORT_PASS_SCATTER, or 1 for both; what the
+//                                              other one writes may be read-only or absent
 // GNO_SORT_LENGTH           yes       -        pairs
 // GNO_SORT_SHIFT            yes       -        lowest bit of this round's digit
 // GNO_SORT_KEYS             yes       -        array of uint
-// GNO_SORT_VALUES           yes       -        array of uint
-// GNO_SORT_SORTED_KEYS      yes       -        array of uint in a storage buffer
-// GNO_SORT_SORTED_VALUES    yes       -        array of uint in a storage buffer
+// GNO_SORT_VALUES           yes       -        array of uint; for scattering
+// GNO_SORT_SORTED_KEYS      yes       -        array of uint in a storage buffer; for scattering
+// GNO_SORT_SORTED_VALUES    yes       -        array of uint in a storage buffer; for scattering
 // GNO_SORT_COUNTS           yes       -        array of uint in a storage buffer, gnoSortCounts(GNO_SORT_LENGTH)
 #ifndef GNO_CORE_RADIX_SORT_GLSL
 #define GNO_CORE_RADIX_SORT_GLSL
 #include "radix_sort.h"
-#if !defined(GNO_SORT_LENGTH) || !defined(GNO_SORT_SHIFT) || !defined(GNO_SORT_KEYS) || !defined(GNO_SORT_VALUES) || !defined(GNO_SORT_SORTED_KEYS) || \
-    !defined(GNO_SORT_SORTED_VALUES) || !defined(GNO_SORT_COUNTS)
-#error "core/radix_sort.glsl: define GNO_SORT_LENGTH, GNO_SORT_SHIFT, GNO_SORT_KEYS, GNO_SORT_VALUES, GNO_SORT_SORTED_KEYS, GNO_SORT_SORTED_VALUES and GNO_SORT_COUNTS before this file"
+#ifndef GNO_SORT_RUNS
+#define GNO_SORT_RUNS 1
+#endif
+#if !defined(GNO_SORT_LENGTH) || !defined(GNO_SORT_SHIFT) || !defined(GNO_SORT_KEYS) || !defined(GNO_SORT_COUNTS)
+#error "core/radix_sort.glsl: define GNO_SORT_LENGTH, GNO_SORT_SHIFT, GNO_SORT_KEYS and GNO_SORT_COUNTS before this file"
+#endif
+#if (GNO_SORT_RUNS) != GNO_SORT_PASS_COUNT
+#if !defined(GNO_SORT_VALUES) || !defined(GNO_SORT_SORTED_KEYS) || !defined(GNO_SORT_SORTED_VALUES)
+#error "core/radix_sort.glsl: define GNO_SORT_VALUES, GNO_SORT_SORTED_KEYS and GNO_SORT_SORTED_VALUES before this file"
+#endif
 #endif
 
 shared uint gnoSortShared_[GNO_SORT_DIGITS * GNO_SORT_GROUP];  // digit by digit, in a digit invocation by invocation
@@ -57,6 +65,7 @@ uint gnoSortQuarter_(uint invocation_) {
     return sum_;
 }
 
+#if (GNO_SORT_RUNS) & (1 | GNO_SORT_PASS_COUNT)
 void gnoSortCount(uint tile_, uint invocation_) {
     gnoSortCountOwn_(tile_, invocation_);
     gnoSortQuarter_(invocation_);
@@ -66,7 +75,9 @@ void gnoSortCount(uint tile_, uint invocation_) {
             gnoSortSums_[at_] + gnoSortSums_[at_ + 1u] + gnoSortSums_[at_ + 2u] + gnoSortSums_[at_ + 3u];
     }
 }
+#endif
 
+#if (GNO_SORT_RUNS) & (1 | GNO_SORT_PASS_SCATTER)
 void gnoSortScatter(uint tile_, uint invocation_) {
     gnoSortCountOwn_(tile_, invocation_);
     gnoSortQuarter_(invocation_);
@@ -90,4 +101,5 @@ void gnoSortScatter(uint tile_, uint invocation_) {
         GNO_SORT_SORTED_VALUES[to_] = GNO_SORT_VALUES[i_];
     }
 }
+#endif
 #endif

@@ -10,6 +10,8 @@
 #ifndef GNO_CORE_RADIX_SORT_H
 #define GNO_CORE_RADIX_SORT_H
 #include "shared_types.h"
+#define GNO_SORT_PASS_COUNT 2    // writes counts
+#define GNO_SORT_PASS_SCATTER 4  // writes sorted keys and values
 GNO_NAMESPACE_BEGIN
 
 GNO_CONST uint GNO_SORT_GROUP = 64u;    // invocations of a work group

@@ -9,10 +9,9 @@
 //   GnoViewSample gnoUnpackViewSample(uvec4 texel)
 //
 // A rasterised position is off its own plane by rounding: up to 0.4 ulp of the largest coordinate M of the primitive's vertices was measured. It is
-// moved along the
-// exact geometric normal (core/orient3d.glsl; slivers included) by 8 ulp of M plus 2^-40, rounded to the grid, and the exact sign of its own plane
-// is looked at: if
-// that is not the viewer's side yet the step is doubled, so the result is certain whatever the rasteriser does. There is no bias to tune.
+// moved along the exact geometric normal (core/orient3d.glsl; slivers included) by 8 ulp of M plus 2^-40, rounded to the grid, and the exact sign of
+// its own plane is looked at: if that is not the viewer's side yet the step is doubled, so the result is certain whatever the rasteriser does. There
+// is no bias to tune.
 //
 // Space      p, t, viewer and light on the scene grid; viewer and light homogeneous: position and w = 1, or direction towards it and w = 0
 // Stages     any; pure

@@ -6,6 +6,7 @@
 // Requires   #version 450, no extension
 #ifndef GNO_CORE_SHARED_TYPES_H
 #define GNO_CORE_SHARED_TYPES_H
+#include "version.h"
 
 #ifdef __cplusplus
 #include <cstddef>
@@ -51,6 +52,7 @@ GNO_CONST uint GNO_VISIBILITY_SHADOW = 0u;
 GNO_CONST uint GNO_VISIBILITY_LIT = 1u;
 GNO_CONST uint GNO_VISIBILITY_FACING_AWAY = 2u;
 GNO_CONST uint GNO_VISIBILITY_BACKGROUND = 3u;
+GNO_CONST uint GNO_VISIBILITY_UNKNOWN = 4u;      // the structure asked is not built, or not wholly, or for something else (core/state.h)
 
 struct GnoCaster {      // a value; how casters lie in memory is the host's business (GNO_LOAD_CASTER)
     vec3 a;

@@ -12,8 +12,8 @@
 //
 // Definition. A sample's contributions, of all casters but its own in whose shadow volume it lies, are added per channel; sums stop at
 // GNO_TRANSMITTANCE_OPAQUE = 16 * 2^16. The light that arrives is 2^(-sum / 2^16) of the light's; at the stop it is none. The sample is in shadow
-// when all three
-// sums are at the stop. Integers only, and addition with a stop knows no order: every device and every order of casters gives the same sums.
+// when all three sums are at the stop. Integers only, and addition with a stop knows no order: every device and every order of casters gives the
+// same sums.
 //
 //   hit point  core/hit_weights.glsl: integer weights of the caster's vertices
 //   texel      coordinate = floor of the vertices' coordinates' weighted mean (core/material.h: 1/256 texel). Texture level 0, no mip levels.
@@ -24,8 +24,7 @@
 //              So without transmission blend lets 1 - alpha of white light through; KHR_materials_transmission is what colours it
 //   adds       gnoContribution of what passes. An opaque caster adds GNO_TRANSMITTANCE_OPAQUE to each channel
 // Vertex colours (COLOR_0), their alpha included, are not part of it. Volumes are closed: a sample exactly in the plane through the light and an
-// edge
-// that two triangles share lies in both volumes, and both contribute.
+// edge that two triangles share lies in both volumes, and both contribute.
 //
 // Space      caster, light and p as in core/orient3d.glsl; p in the caster's shadow volume (gnoInShadowOf). Elsewhere some contribution, no error
 // Stages     any; may diverge; pure

@@ -12,20 +12,25 @@
 // fourth word, and a bit that is set stays set. With the bit the sum's own word has no meaning any more, and is added to no longer.
 //
 // Space      none: no positions
-// Stages     any with writable storage buffers (fragment stage: fragmentStoresAndAtomics)
+// Stages     any with storage buffers; writable where it adds (fragment stage: fragmentStoresAndAtomics)
 // Requires   #version 450, no extension. The buffer is all zero before the first addition
 // Reads      and writes GNO_TRANSMITTANCE_SUMS; atomic but for gnoTransmittanceSum
 //
 // Macro                         required  default  meaning
+// GNO_TRANSMITTANCE_ADDS        no        1        0: only gnoTransmittanceSum is there, and the sums may be read-only
 // GNO_TRANSMITTANCE_SUMS        yes       -        uint array in a buffer (an l-value), 4 per pixel: three sums, and bits 0 to 2 where they are at
 //                                                  the stop
 #ifndef GNO_CORE_TRANSMITTANCE_SUM_GLSL
 #define GNO_CORE_TRANSMITTANCE_SUM_GLSL
 #include "material.h"
+#ifndef GNO_TRANSMITTANCE_ADDS
+#define GNO_TRANSMITTANCE_ADDS 1
+#endif
 #ifndef GNO_TRANSMITTANCE_SUMS
 #error "core/transmittance_sum.glsl: define GNO_TRANSMITTANCE_SUMS or include core/material_bindings.glsl before this file"
 #endif
 
+#if GNO_TRANSMITTANCE_ADDS
 void gnoAddOpaque(uint pixel_) { atomicOr(GNO_TRANSMITTANCE_SUMS[4u * pixel_ + 3u], 7u); }
 
 bool gnoIsDark(uint pixel_) { return atomicOr(GNO_TRANSMITTANCE_SUMS[4u * pixel_ + 3u], 0u) == 7u; }  // others may set bits meanwhile
@@ -46,6 +51,7 @@ void gnoAddTransmittance(uint pixel_, uvec3 contribution_) {
     if ((stopped_ & 4u) == 0u) stop_ |= gnoAddChannel_(pixel_, 2u, contribution_.z);
     if (stop_ != 0u) atomicOr(GNO_TRANSMITTANCE_SUMS[4u * pixel_ + 3u], stop_);
 }
+#endif
 
 uvec3 gnoTransmittanceSum(uint pixel_) {
     uint stopped_ = GNO_TRANSMITTANCE_SUMS[4u * pixel_ + 3u];

@@ -22,9 +22,8 @@
 // u = GNO_ULP = 2^-23 bounds the relative error of one operation, 2.5u that of a division; E = GNO_BAND = 8u.
 //
 // 1. A point's cell. Point light: q is rounded, so x and z err by u each, x/z by 5u in all where |x| <= |z|, and the face is chosen by the computed
-// q. Subtracting -1
-//    errs by 2u, the division by the step by 5u, in units of x/z: a point of cell i has exactly x/z in [bound(i) - 2E, bound(i+1) + 2E], also where
-//    the index was clamped.
+//    q. Subtracting -1 errs by 2u, the division by the step by 5u, in units of x/z: a point of cell i has exactly x/z in [bound(i) - 2E, bound(i+1)
+//    + 2E], also where the index was clamped.
 //    Directional: x = U.p errs by 4uS (S = GNO_SCENE_RADIUS), the subtraction by 2uS, the division by 5uS: less than 2ES in all. The
 //    cells at the border hold what lies beyond it, too: casters and samples alike are clamped into them, and their corners lie at -2 and 2, farther
 //    than any sample.
@@ -32,31 +31,22 @@
 //    bits.
 // 2. A cell's pyramid (prism). Its corners are taken at bound - 6E and bound + 6E (directional: 6ES), rounded: it holds every point of the cell.
 // 3. Rectangle. Where z > 0 at all three vertices (a difference of two numbers has the exact sign) the volume has exactly x/z between the vertices'
-// least and greatest,
-//    whose computed values err by 5u of themselves. If the volume meets cell i, the least is below bound(i+1) + 2E, computed below bound(i+1) + 3E;
-//    it is looked up
-//    6E lower, which covers the 9u of the look-up. Directional: x errs by 4uS, and a point of the volume is v - mu D', mu <= 2S, D' the light's
-//    direction, at a right angle to
-//    the axis but for 2u: 8uS, with 1. and the look-up 33uS, and 6ES are taken.
+//    least and greatest, whose computed values err by 5u of themselves. If the volume meets cell i, the least is below bound(i+1) + 2E, computed
+//    below bound(i+1) + 3E; it is looked up 6E lower, which covers the 9u of the look-up. Directional: x errs by 4uS, and a point of the volume is v
+//    - mu D', mu <= 2S, D' the light's direction, at a right angle to the axis but for 2u: 8uS, with 1. and the look-up 33uS, and 6ES are taken.
 //    Where z <= 0 at all three vertices the volume has no point with z > 0, and no cell. Where z <= 0 at one or two, let m be the least x/z of the
-//    others. If x - m z > 0 at the
-//    vertices with z <= 0, too, then x - m z >= 0 in the whole volume (a sum of the vertices with weights >= 0), so m bounds x/z wherever z > 0; the
-//    greatest likewise. The
-//    computed x - m z errs by 2u|x| + 8u|m z|, m's own 5u included, so it has to be above 2E(|x| + |m z|). Otherwise the axis is not bounded on that
-//    side.
+//    others. If x - m z > 0 at the vertices with z <= 0, too, then x - m z >= 0 in the whole volume (a sum of the vertices with weights >= 0), so m
+//    bounds x/z wherever z > 0; the greatest likewise. The computed x - m z errs by 2u|x| + 8u|m z|, m's own 5u included, so it has to be above
+//    2E(|x| + |m z|). Otherwise the axis is not bounded on that side.
 // 4. Missed. A lateral plane is held against the corners as it is against a caster in a tree (top/plane.glsl, 3 and 5): all four on the positive
-// side by the margin
-//    there, so is every point of the pyramid (prism), and the caster's volume is on the other side. This holds for a substitute plane as well. One
-//    corner has the least
-//    side, by the signs of the normal's components; the others' exact sides are not less. Point: corners are at z = 1, shorter than 1.8, so 3E|v| <
-//    6E. Directional: the
-//    normal in the grid's axes errs by 4u each, times at most 2S, so 16uS more than 6ES, and as much when a sign near zero is wrong: 10ES.
+//    side by the margin there, so is every point of the pyramid (prism), and the caster's volume is on the other side. This holds for a substitute
+//    plane as well. One corner has the least side, by the signs of the normal's components; the others' exact sides are not less. Point: corners are
+//    at z = 1, shorter than 1.8, so 3E|v| < 6E. Directional: the normal in the grid's axes errs by 4u each, times at most 2S, so 16uS more than 6ES,
+//    and as much when a sign near zero is wrong: 10ES.
 // 5. Covered. All four corners on the negative side of all three lateral planes by that margin, none of them a substitute (it does not bound the
-// caster): each direction of
-//    the cell passes through the open caster. A view sample of the cell is then behind the caster, in its shadow; or it is in front of it or on it,
-//    and no farther
-//    from the light than `most`. A caster that starts beyond `most` decides neither, as long as the covering one stays in the cell. A sample whose
-//    computed depth is beyond `most` is strictly behind the covering caster and not on it:
+//    caster): each direction of the cell passes through the open caster. A view sample of the cell is then behind the caster, in its shadow; or it
+//    is in front of it or on it, and no farther from the light than `most`. A caster that starts beyond `most` decides neither, as long as the
+//    covering one stays in the cell. A sample whose computed depth is beyond `most` is strictly behind the covering caster and not on it:
 //    in its shadow. (A sample that lies on the covering
 //    caster is on the light's side of it: gnoMakeViewSample.)
 #ifndef GNO_FOREST_CELLS_GLSL
@@ -114,8 +104,7 @@ struct GnoCellVolume {
 };
 
 // 6. One face. Where the same coordinate is the largest of all three vertices by more than 16E of itself, so it is of each point of the volume by
-// more than 15E, whose computed
-//    coordinates err by u: its cell is on that face.
+//    more than 15E, whose computed coordinates err by u: its cell is on that face.
 GNO_INLINE bool gnoCellAllUnder_(vec3 far_, vec3 other_, vec3 another_) {
     vec3 most_ = far_ * (1.0f - 16.0f * GNO_BAND);
     return abs(other_.x) < most_.x && abs(another_.x) < most_.x && abs(other_.y) < most_.y && abs(another_.y) < most_.y && abs(other_.z) < most_.z &&

@@ -7,16 +7,29 @@
 //   grid      48                         the host, when light or scene changes   all
 //   cells     16 * gnoCellCount          reset, depth, cover, count, allocate    insertion and queries (root)
 //   few       8 * casters                sort                                    count, emission
-//   header    52                         reset, sort, allocate                   count, emission, insertion
+//   header    60                         reset, sort, allocate, emission         count, emission, set-up of the trees
 //
 //   uint gnoCellCount(uint resolution, uint faces)      cells of a grid
+//   uint gnoForestState(GnoForestHeader header, uint capacity, uint precision)      of pairs that a pool of `capacity` was to hold (core/state.h)
 //
 // Space      light coordinates, q = gnoFromLight(p) (core/light.glsl)
 // Stages     any
 // Requires   #version 450, no extension
+//
+// A shader that builds says which passes it is, before bindings.glsl and assign.glsl: #define GNO_FOREST_BUILDS GNO_FOREST_PASS_COUNT; several
+// with |, all: 1.
 #ifndef GNO_FOREST_CELLS_H
 #define GNO_FOREST_CELLS_H
-#include "../core/shared_types.h"
+#include "../core/state.h"
+#define GNO_FOREST_PASS_RESET 2     // writes cells and header
+#define GNO_FOREST_PASS_DEPTH 4     // cells
+#define GNO_FOREST_PASS_SORT 8      // few; its caller the header and the list of casters
+#define GNO_FOREST_PASS_COVER 16    // cells
+#define GNO_FOREST_PASS_COUNT 32    // cells
+#define GNO_FOREST_PASS_ALLOCATE 64 // cells, header
+#define GNO_FOREST_PASS_EMIT 128    // cells, pairs, header
+#define GNO_FOREST_PASS_SIZES 256   // header
+#define GNO_FOREST_PASS_BUILD 512   // gnoTopInsert over the trees: cells
 GNO_NAMESPACE_BEGIN
 
 GNO_CONST uint GNO_FOREST_NONE = 0xFFFFFFFFu;  // no root
@@ -54,7 +67,7 @@ struct GnoForestFew {    // std430, 8 bytes: where a caster with at most 2 x 2 c
 };
 GNO_STRUCT_SIZE(GnoForestFew, 8)
 
-struct GnoForestHeader { // std430, 52 bytes
+struct GnoForestHeader { // std430, 60 bytes
     uint groupsOfPairs;  //  0  indirect dispatch over the pairs: (groups, 1, 1)
     uint one0;
     uint one1;
@@ -68,15 +81,24 @@ struct GnoForestHeader { // std430, 52 bytes
     uint one5;
     uint many;           // 44  how many are listed
     uint used;           // 48  cells that keep casters
+    uint emitted;        // 52  pairs that were put, or found the pool full; as many as pairs, and none is missing
+    uint state;          // 56  reset: gnoState(GNO_STATE_ANY)
 };
-GNO_STRUCT_SIZE(GnoForestHeader, 52)
+GNO_STRUCT_SIZE(GnoForestHeader, 60)
 GNO_STRUCT_OFFSET(GnoForestHeader, many, 44)
+GNO_STRUCT_OFFSET(GnoForestHeader, state, 56)
 
 struct GnoForestPair {   // std430, 8 bytes: block b of the pool (nodes 4b .. 4b+3) stands for this caster in this cell
     uint caster;
     uint cell;
 };
 GNO_STRUCT_SIZE(GnoForestPair, 8)
+
+// The word of core/state.h of a structure over these pairs: complete, incomplete (pool too small), or 0: a pass was left out.
+GNO_INLINE uint gnoForestState(GnoForestHeader header_, uint capacity_, uint precision_) {
+    if (header_.state != gnoState(GNO_STATE_ANY) || header_.emitted != header_.pairs) return 0u;
+    return header_.pairs > capacity_ ? gnoIncompleteState(precision_) : gnoState(precision_);
+}
 
 GNO_INLINE uint gnoCellCount(uint resolution_, uint faces_) { return faces_ * resolution_ * resolution_; }
 

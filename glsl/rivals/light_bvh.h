@@ -13,7 +13,7 @@
 //   grid         48                                          the host            all
 //   masks        4 per triangle                              count               emit
 //   sums         4 gnoLightBvhGroups(triangles)              count, begin        emit
-//   header       52                                          begin, split        all
+//   header       64                                          count, begin, emit, split, collapse      all
 //   levels       20 GNO_LIGHT_BVH_LEVELS                     begin, split, collapse       collapse
 //   references   16 n                                        emit                leaves
 //   keys, order  4 n each, twice                             emit, sort          sort, leaves, split
@@ -27,9 +27,19 @@
 // Space      light coordinates, q = gnoFromLight(p) (core/light.glsl)
 // Stages     any
 // Requires   #version 450, no extension
+//
+// A shader that builds says which pass it is, before light_bvh_bindings.glsl: #define GNO_LIGHT_BVH_BUILDS GNO_LIGHT_BVH_PASS_COUNT; several with |,
+// all: 1.
 #ifndef GNO_RIVALS_LIGHT_BVH_H
 #define GNO_RIVALS_LIGHT_BVH_H
-#include "../core/shared_types.h"
+#include "../core/state.h"
+#define GNO_LIGHT_BVH_PASS_COUNT 2      // writes masks, sums, header
+#define GNO_LIGHT_BVH_PASS_BEGIN 4      // sums, header, levels
+#define GNO_LIGHT_BVH_PASS_EMIT 8       // references, keys, order, header
+#define GNO_LIGHT_BVH_PASS_LEAVES 16    // boxes
+#define GNO_LIGHT_BVH_PASS_UP 32        // boxes
+#define GNO_LIGHT_BVH_PASS_SPLIT 64     // splits, nodes, parents, header, levels
+#define GNO_LIGHT_BVH_PASS_COLLAPSE 128 // nodes, parents, levels, header
 GNO_NAMESPACE_BEGIN
 
 GNO_CONST uint GNO_LIGHT_BVH_RESOLUTION = 32768u;    // cells along an edge of a face: 15 bits, and one to spare
@@ -65,7 +75,7 @@ GNO_STRUCT_SIZE(GnoLightBvhNode, 64)
 GNO_STRUCT_OFFSET(GnoLightBvhNode, least, 32)
 GNO_STRUCT_OFFSET(GnoLightBvhNode, link, 48)
 
-struct GnoLightBvhHeader { // std430, 52 bytes
+struct GnoLightBvhHeader { // std430, 64 bytes
     uint groupsOfReferences;  //  0  indirect dispatch over the references: (groups, 1, 1)
     uint one0;
     uint one1;
@@ -74,10 +84,14 @@ struct GnoLightBvhHeader { // std430, 52 bytes
     uint one2;
     uint one3;
     uint roots[6];         // 28  of each face, GNO_LIGHT_BVH_NONE: no caster there
+    uint emitted;          // 52  references that were put, or found the pool full; as many as references, and none is missing
+    uint leaves;           // 56  of the nodes that are done
+    uint state;            // 60  collapse, when all are: the word of core/state.h, GNO_STATE_ANY
 };
-GNO_STRUCT_SIZE(GnoLightBvhHeader, 52)
+GNO_STRUCT_SIZE(GnoLightBvhHeader, 64)
 GNO_STRUCT_OFFSET(GnoLightBvhHeader, groupsOfTiles, 16)
 GNO_STRUCT_OFFSET(GnoLightBvhHeader, roots, 28)
+GNO_STRUCT_OFFSET(GnoLightBvhHeader, state, 60)
 
 struct GnoLightBvhLevel {  // std430, 20 bytes: the nodes of one depth stand side by side
     uint groups;           //  0  indirect dispatch: (groups, 1, 1)

@@ -11,14 +11,12 @@
 //   bool gnoLightBvhHolds(uint low, uint high, uint place)            the cell in column `place & 0xFFFF` and row `place >> 16` lies in the bounds
 //
 // Bounds are whole cells (forest/cells.glsl, 1 to 4): a point in a caster's shadow volume has its cell in the caster's bounds on its face, for
-// certain, and comparing
-// cells is exact. So a hierarchy of unions loses nothing, and only the leaves' casters are left to decide. A caster whose cells reach a face's
-// border may pass by its corner: that face is
-// left out where gnoCellMissed is sure of the whole pyramid (a grid of one cell per face).
+// certain, and comparing cells is exact. So a hierarchy of unions loses nothing, and only the leaves' casters are left to decide. A caster whose
+// cells reach a face's border may pass by its corner: that face is left out where gnoCellMissed is sure of the whole pyramid (a grid of one cell per
+// face).
 //
 // A face's side: its samples have x/z <= 1 + 2E (forest/cells.glsl, 1). If x - z (1 + 2E) > 0 at all vertices, so it is in the whole volume,
-// whatever z. The computed
-// x - z errs by 2u(|x| + |z|), so x - z > 3E(|x| + |z|) is enough.
+// whatever z. The computed x - z errs by 2u(|x| + |z|), so x - z > 3E(|x| + |z|) is enough.
 //
 // Space      light coordinates; grid.resolution is GNO_LIGHT_BVH_RESOLUTION
 // Stages     any; pure

@@ -16,13 +16,13 @@
 //   them are empty
 //
 // Between 1 and 2 the sums become prefix sums (core/prefix_sum.glsl). Each step is a dispatch of its own; what it reads was written in earlier ones.
-// No step waits for another
-// work group, and the only atomics are the allocation of nodes. The bounds of an inner node are the union over its range of the sorted references,
-// taken from the rows of boxes:
+// No step waits for another work group, and the only atomics are the allocation of nodes. The bounds of an inner node are the union over its range
+// of the sorted references, taken from the rows of boxes:
 // a few loads, no way up the tree, no order between invocations. The tree's shape depends on the casters alone; where its nodes lie depends on who
 // came first.
 //
-// A pool that is too small is not overrun: header.references tells, and no query over it means anything.
+// A pool that is too small is not overrun: header.references tells, and a query answers GNO_VISIBILITY_UNKNOWN. So it does until 8 is done, and
+// where a step was left out and its gap was seen (core/state.h).
 //
 // Space      light coordinates
 // Stages     compute with storage buffers; gnoLightBvhCount and gnoLightBvhFirst hold barriers: all GNO_LIGHT_BVH_GROUP invocations of the work
@@ -31,6 +31,9 @@
 // Cost       8 rounds of sorting move 8 bytes per reference each; most of the 56 dispatches of the collapse are empty
 //
 // Macro                        required  default  meaning
+// GNO_LIGHT_BVH_BUILDS         no        1        which steps this shader has: 1 GNO_LIGHT_BVH_PASS_COUNT, 2 .._BEGIN, 3 .._EMIT, 5 .._LEAVES,
+//                                                 6 .._UP, 7 .._SPLIT, 8 .._COLLAPSE; several with |, 1 for all; light_bvh_bindings.glsl makes
+//                                                 writable what they write
 // GNO_LIGHT_BVH_GRID           yes       -        GnoForestGrid, resolution GNO_LIGHT_BVH_RESOLUTION
 // GNO_LIGHT_BVH_MASKS          yes       -        arrays of light_bvh.h in storage buffers: masks
 // GNO_LIGHT_BVH_SUMS           yes       -        sums
@@ -50,22 +53,52 @@
 #include "../core/prefix_sum.glsl"
 #include "../core/radix_sort.h"
 #include "light_bvh_bounds.glsl"
-#if !defined(GNO_LIGHT_BVH_GRID) || !defined(GNO_LIGHT_BVH_MASKS) || !defined(GNO_LIGHT_BVH_SUMS) || !defined(GNO_LIGHT_BVH_HEADER) || !defined(GNO_LIGHT_BVH_LEVEL_TABLE) || \
-    !defined(GNO_LIGHT_BVH_REFERENCES) || !defined(GNO_LIGHT_BVH_CAPACITY) || !defined(GNO_LIGHT_BVH_KEYS) || !defined(GNO_LIGHT_BVH_ORDER) || \
-    !defined(GNO_LIGHT_BVH_BOXES) || !defined(GNO_LIGHT_BVH_SPLITS) || !defined(GNO_LIGHT_BVH_NODES) || !defined(GNO_LIGHT_BVH_PARENTS)
-#error "rivals/light_bvh_build.glsl: define GNO_LIGHT_BVH_GRID, GNO_LIGHT_BVH_MASKS, GNO_LIGHT_BVH_SUMS, GNO_LIGHT_BVH_HEADER, GNO_LIGHT_BVH_LEVEL_TABLE, GNO_LIGHT_BVH_REFERENCES, GNO_LIGHT_BVH_CAPACITY, GNO_LIGHT_BVH_KEYS, GNO_LIGHT_BVH_ORDER, GNO_LIGHT_BVH_BOXES, GNO_LIGHT_BVH_SPLITS, GNO_LIGHT_BVH_NODES and GNO_LIGHT_BVH_PARENTS or include rivals/light_bvh_bindings.glsl with GNO_LIGHT_BVH_BUILD 1 before this file"
+#ifndef GNO_LIGHT_BVH_BUILDS
+#define GNO_LIGHT_BVH_BUILDS 1
+#endif
+#if (GNO_LIGHT_BVH_BUILDS) == 0
+#error "rivals/light_bvh_build.glsl: which pass is this? define GNO_LIGHT_BVH_BUILDS before light_bvh_bindings.glsl, as light_bvh.h says"
+#endif
+#if !defined(GNO_LIGHT_BVH_GRID) || !defined(GNO_LIGHT_BVH_MASKS)
+#error "rivals/light_bvh_build.glsl: define GNO_LIGHT_BVH_GRID and GNO_LIGHT_BVH_MASKS (or include light_bvh_bindings.glsl for a build)"
+#endif
+#if !defined(GNO_LIGHT_BVH_SUMS) || !defined(GNO_LIGHT_BVH_HEADER)
+#error "rivals/light_bvh_build.glsl: define GNO_LIGHT_BVH_SUMS and GNO_LIGHT_BVH_HEADER (or include light_bvh_bindings.glsl for a build)"
+#endif
+#if !defined(GNO_LIGHT_BVH_LEVEL_TABLE) || !defined(GNO_LIGHT_BVH_REFERENCES)
+#error "rivals/light_bvh_build.glsl: define GNO_LIGHT_BVH_LEVEL_TABLE and GNO_LIGHT_BVH_REFERENCES (or include light_bvh_bindings.glsl for a build)"
+#endif
+#if !defined(GNO_LIGHT_BVH_CAPACITY) || !defined(GNO_LIGHT_BVH_KEYS)
+#error "rivals/light_bvh_build.glsl: define GNO_LIGHT_BVH_CAPACITY and GNO_LIGHT_BVH_KEYS (or include light_bvh_bindings.glsl for a build)"
+#endif
+#if !defined(GNO_LIGHT_BVH_ORDER) || !defined(GNO_LIGHT_BVH_BOXES)
+#error "rivals/light_bvh_build.glsl: define GNO_LIGHT_BVH_ORDER and GNO_LIGHT_BVH_BOXES (or include light_bvh_bindings.glsl for a build)"
+#endif
+#if !defined(GNO_LIGHT_BVH_SPLITS) || !defined(GNO_LIGHT_BVH_NODES)
+#error "rivals/light_bvh_build.glsl: define GNO_LIGHT_BVH_SPLITS and GNO_LIGHT_BVH_NODES (or include light_bvh_bindings.glsl for a build)"
+#endif
+#ifndef GNO_LIGHT_BVH_PARENTS
+#error "rivals/light_bvh_build.glsl: define GNO_LIGHT_BVH_PARENTS (or include light_bvh_bindings.glsl for a build)"
 #endif
 #ifndef GNO_LIGHT
 #error "rivals/light_bvh_build.glsl: define GNO_LIGHT, a homogeneous vec4"
 #endif
 
+#if (GNO_LIGHT_BVH_BUILDS) & (1 | GNO_LIGHT_BVH_PASS_COUNT)
 void gnoLightBvhCount(uint caster_, uint faces_, uint group_, uint invocation_) {
     uint total_;
     gnoGroupPrefix(uint(bitCount(faces_)), invocation_, total_);
     if (invocation_ == 0u) GNO_LIGHT_BVH_SUMS[group_] = total_;
+    if (invocation_ == 0u && group_ == 0u) {  // until 2 knows better
+        GNO_LIGHT_BVH_HEADER.state = 0u;
+        GNO_LIGHT_BVH_HEADER.groupsOfReferences = 0u;
+        GNO_LIGHT_BVH_HEADER.groupsOfTiles = 0u;
+    }
     if (caster_ < uint(GNO_LIGHT_BVH_MASKS.length())) GNO_LIGHT_BVH_MASKS[caster_] = faces_;
 }
+#endif
 
+#if (GNO_LIGHT_BVH_BUILDS) & (1 | GNO_LIGHT_BVH_PASS_BEGIN)
 void gnoLightBvhBegin(uint references_) {
     uint held_ = min(references_, GNO_LIGHT_BVH_CAPACITY);
     GNO_LIGHT_BVH_HEADER.groupsOfReferences = gnoLightBvhGroups(held_);
@@ -75,13 +108,18 @@ void gnoLightBvhBegin(uint references_) {
     GNO_LIGHT_BVH_HEADER.groupsOfTiles = gnoSortTiles(held_);
     GNO_LIGHT_BVH_HEADER.one2 = 1u;
     GNO_LIGHT_BVH_HEADER.one3 = 1u;
+    GNO_LIGHT_BVH_HEADER.emitted = 0u;
+    GNO_LIGHT_BVH_HEADER.leaves = 0u;
+    GNO_LIGHT_BVH_HEADER.state = references_ == 0u ? gnoState(GNO_STATE_ANY) : references_ > held_ ? gnoIncompleteState(GNO_STATE_ANY) : 0u;
     for (uint face_ = 0u; face_ < 6u; ++face_) GNO_LIGHT_BVH_HEADER.roots[face_] = GNO_LIGHT_BVH_NONE;
     for (uint level_ = 0u; level_ < GNO_LIGHT_BVH_LEVELS; ++level_)
         GNO_LIGHT_BVH_LEVEL_TABLE[level_] = GnoLightBvhLevel(level_ == 0u ? 1u : 0u, 1u, 1u, 0u, 0u);
 }
+#endif
 
 uint gnoLightBvhLength_() { return min(GNO_LIGHT_BVH_HEADER.references, GNO_LIGHT_BVH_CAPACITY); }
 
+#if (GNO_LIGHT_BVH_BUILDS) & (1 | GNO_LIGHT_BVH_PASS_EMIT)
 uint gnoLightBvhFirst(uint faces_, uint group_, uint invocation_) {
     uint total_;
     return GNO_LIGHT_BVH_SUMS[group_] + gnoGroupPrefix(uint(bitCount(faces_)), invocation_, total_);
@@ -89,6 +127,7 @@ uint gnoLightBvhFirst(uint faces_, uint group_, uint invocation_) {
 
 void gnoLightBvhEmit(uint caster_, uint faces_, GnoLightBvhCaster c_, uint at_) {
     float least_ = gnoTopLeastDepth(GNO_LIGHT, c_.t);
+    if (faces_ != 0u) atomicAdd(GNO_LIGHT_BVH_HEADER.emitted, uint(bitCount(faces_)));
     for (; faces_ != 0u; faces_ &= faces_ - 1u) {
         uint face_ = uint(findLSB(faces_));
         uint low_, high_;
@@ -102,11 +141,15 @@ void gnoLightBvhEmit(uint caster_, uint faces_, GnoLightBvhCaster c_, uint at_) 
         ++at_;
     }
 }
+#endif
 
+#if (GNO_LIGHT_BVH_BUILDS) & (1 | GNO_LIGHT_BVH_PASS_LEAVES)
 void gnoLightBvhLeaf(uint i_) {
     if (i_ < gnoLightBvhLength_()) GNO_LIGHT_BVH_BOXES[i_] = GNO_LIGHT_BVH_REFERENCES[GNO_LIGHT_BVH_ORDER[i_]];
 }
+#endif
 
+#if (GNO_LIGHT_BVH_BUILDS) & (1 | GNO_LIGHT_BVH_PASS_UP)
 void gnoLightBvhUp(uint row_, uint i_) {
     uint below_ = 0u;  // where the row below begins
     uint boxes_ = gnoLightBvhLength_();
@@ -120,7 +163,9 @@ void gnoLightBvhUp(uint row_, uint i_) {
     for (uint j_ = first_ + 1u; j_ < min(first_ + GNO_LIGHT_BVH_FAN, boxes_); ++j_) box_ = gnoLightBvhUnion(box_, GNO_LIGHT_BVH_BOXES[below_ + j_]);
     GNO_LIGHT_BVH_BOXES[below_ + boxes_ + i_] = box_;
 }
+#endif
 
+#if (GNO_LIGHT_BVH_BUILDS) & (1 | GNO_LIGHT_BVH_PASS_SPLIT)
 // The union of the sorted references first .. last.
 GnoLightBvhBox gnoLightBvhRange_(uint first_, uint last_) {
     uint below_ = 0u;
@@ -163,7 +208,7 @@ bool gnoLightBvhWhole_(uint first_, uint last_, uint count_) {
 
 void gnoLightBvhSplit(uint i_) {
     uint count_ = gnoLightBvhLength_();
-    if (i_ >= count_) return;
+    if (i_ >= count_ || GNO_LIGHT_BVH_HEADER.emitted != count_) return;  // none may be missing
     if (gnoLightBvhWhole_(i_, i_, count_)) gnoLightBvhRoot_(gnoLightBvhFaceOf_(i_), GNO_LIGHT_BVH_LEAF | i_);
     if (i_ + 1u == count_) return;
     int n_ = int(count_);
@@ -193,7 +238,9 @@ void gnoLightBvhSplit(uint i_) {
     GNO_LIGHT_BVH_SPLITS[i_] = box_;
     if (gnoLightBvhWhole_(first_, last_, count_)) gnoLightBvhRoot_(gnoLightBvhFaceOf_(first_), i_);
 }
+#endif
 
+#if (GNO_LIGHT_BVH_BUILDS) & (1 | GNO_LIGHT_BVH_PASS_COLLAPSE)
 // `stands`: an inner node of the binary hierarchy, or GNO_LIGHT_BVH_LEAF and a sorted reference.
 GnoLightBvhBox gnoLightBvhBoxOf_(uint stands_) {
     if ((stands_ & GNO_LIGHT_BVH_LEAF) != 0u) return GNO_LIGHT_BVH_BOXES[stands_ & ~GNO_LIGHT_BVH_LEAF];
@@ -232,6 +279,10 @@ void gnoLightBvhCollapse(uint level_, uint i_) {
     }
     uint inner_ = 0u;
     for (uint c_ = 0u; c_ < children_; ++c_) inner_ += (stands_[c_] & GNO_LIGHT_BVH_LEAF) == 0u ? 1u : 0u;
+    if (inner_ < children_) {
+        uint before_ = atomicAdd(GNO_LIGHT_BVH_HEADER.leaves, children_ - inner_);
+        if (before_ + children_ - inner_ == GNO_LIGHT_BVH_HEADER.references) GNO_LIGHT_BVH_HEADER.state = gnoState(GNO_STATE_ANY);
+    }
     uint next_ = 0u;
     if (inner_ > 0u) {
         uint taken_ = atomicAdd(GNO_LIGHT_BVH_LEVEL_TABLE[level_ + 1u].count, inner_);
@@ -252,4 +303,5 @@ void gnoLightBvhCollapse(uint level_, uint i_) {
     }
     GNO_LIGHT_BVH_NODES[node_] = made_;
 }
+#endif
 #endif

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // gnomon rivals/light_bvh_query.glsl : is a point in shadow? Asked of a light-space hierarchy (rivals/light_bvh_build.glsl).
 //
-//   bool gnoLightBvhQuery(GnoViewSample s)            true: s is in shadow. With a stack
-//   bool gnoLightBvhQueryStackless(GnoViewSample s)   the same by the parents' links
+//   uint gnoLightBvhAnswer(GnoViewSample s)           GNO_VISIBILITY_LIT, _SHADOW, or _UNKNOWN: there is no hierarchy to ask, none was. With a stack
+//   uint gnoLightBvhStacklessAnswer(GnoViewSample s)  the same by the parents' links
+//   bool gnoLightBvhQuery(GnoViewSample s)            gnoLightBvhAnswer for two answers: true where it is not lit
+//   bool gnoLightBvhQueryStackless(GnoViewSample s)   the same of the other
 //
 // Both go down from the root of the sample's face, into children that hold the sample's cell and do not lie farther from the light than it, and stop
-// at the first caster that
-// shadows it. Cells are compared as integers and a child's least depth is a lower bound, so only casters that certainly do not shadow the sample are
-// left out.
+// at the first caster that shadows it. Cells are compared as integers and a child's least depth is a lower bound, so only casters that certainly do
+// not shadow the sample are left out.
 // A leaf's caster is decided by core/decide.glsl: `certified` by its filtered exact signs, `conservative` in fp32. The sample's own caster is
 // passed.
 // A full stack is counted and never written past: the query then starts again without a stack, so nothing is lost.
@@ -20,6 +21,7 @@
 //
 // Macro                             required  default                  meaning
 // GNO_LIGHT_BVH_GRID                yes       -                        GnoForestGrid, resolution GNO_LIGHT_BVH_RESOLUTION
+// GNO_LIGHT_BVH_STATE               yes       -                        uint: gnoState(GNO_STATE_ANY) where there is a hierarchy (core/state.h)
 // GNO_LIGHT_BVH_ROOT(face)          yes       -                        uint, GNO_LIGHT_BVH_NONE: no caster on that face
 // GNO_LIGHT_BVH_LOAD_NODE(index)    yes       -                        GnoLightBvhNode
 // GNO_LIGHT_BVH_LOAD_PARENT(index)  yes       -                        uint: 4 * parent + place among its children, GNO_LIGHT_BVH_NONE for a root
@@ -30,10 +32,17 @@
 #ifndef GNO_RIVALS_LIGHT_BVH_QUERY_GLSL
 #define GNO_RIVALS_LIGHT_BVH_QUERY_GLSL
 #include "../core/counters.glsl"
+#include "../core/debug.glsl"
 #include "../core/decide.glsl"
 #include "light_bvh_bounds.glsl"
-#if !defined(GNO_LIGHT_BVH_GRID) || !defined(GNO_LIGHT_BVH_ROOT) || !defined(GNO_LIGHT_BVH_LOAD_NODE) || !defined(GNO_LIGHT_BVH_LOAD_PARENT)
-#error "rivals/light_bvh_query.glsl: define GNO_LIGHT_BVH_GRID, GNO_LIGHT_BVH_ROOT(face), GNO_LIGHT_BVH_LOAD_NODE(index) and GNO_LIGHT_BVH_LOAD_PARENT(index) or include rivals/light_bvh_bindings.glsl before this file"
+#ifndef GNO_LIGHT_BVH_STATE
+#error "rivals/light_bvh_query.glsl: define GNO_LIGHT_BVH_STATE (or include light_bvh_bindings.glsl)"
+#endif
+#if !defined(GNO_LIGHT_BVH_GRID) || !defined(GNO_LIGHT_BVH_ROOT)
+#error "rivals/light_bvh_query.glsl: define GNO_LIGHT_BVH_GRID and GNO_LIGHT_BVH_ROOT(face) (or include light_bvh_bindings.glsl)"
+#endif
+#if !defined(GNO_LIGHT_BVH_LOAD_NODE) || !defined(GNO_LIGHT_BVH_LOAD_PARENT)
+#error "rivals/light_bvh_query.glsl: define GNO_LIGHT_BVH_LOAD_NODE(index) and GNO_LIGHT_BVH_LOAD_PARENT(index) (or include light_bvh_bindings.glsl)"
 #endif
 #ifndef GNO_LIGHT
 #error "rivals/light_bvh_query.glsl: define GNO_LIGHT, a homogeneous vec4"
@@ -68,14 +77,17 @@ uint gnoLightBvhMet_(GnoLightBvhNode node_, uint place_, float depth_) {
     return met_;
 }
 
-bool gnoLightBvhQueryStackless(GnoViewSample s_) {
+uint gnoLightBvhStacklessAnswer(GnoViewSample s_) {
+    if (GNO_LIGHT_BVH_STATE != gnoState(GNO_STATE_ANY)) return GNO_VISIBILITY_UNKNOWN;
     vec3 q_ = gnoFromLight(GNO_LIGHT, s_.position);
     uvec3 at_ = gnoCellAt(GNO_LIGHT, GNO_LIGHT_BVH_GRID, q_);
     uint place_ = at_.x | (at_.y << 16);
     float depth_ = gnoLightDepth(GNO_LIGHT, q_);
     uint index_ = GNO_LIGHT_BVH_ROOT(at_.z);
     uint from_ = 0u;  // children below this one are done
+    GNO_DEBUG_TURNS_;
     while (index_ != GNO_LIGHT_BVH_NONE) {
+        GNO_DEBUG_TURN_(return GNO_VISIBILITY_UNKNOWN);
         GnoLightBvhNode node_ = GNO_LIGHT_BVH_LOAD_NODE(index_);
         GNO_COUNT(visitedNodes, 1u);
         uint met_ = gnoLightBvhMet_(node_, place_, depth_) & (0xFu << from_);
@@ -85,7 +97,7 @@ bool gnoLightBvhQueryStackless(GnoViewSample s_) {
             met_ &= met_ - 1u;
             uint link_ = node_.link[child_];
             if ((link_ & GNO_LIGHT_BVH_LEAF) == 0u) down_ = link_;
-            else if (gnoLightBvhShadows_(link_, s_)) return true;
+            else if (gnoLightBvhShadows_(link_, s_)) return GNO_VISIBILITY_SHADOW;
         }
         if (down_ != GNO_LIGHT_BVH_NONE) {
             index_ = down_;
@@ -96,10 +108,11 @@ bool gnoLightBvhQueryStackless(GnoViewSample s_) {
             from_ = (parent_ & 3u) + 1u;
         }
     }
-    return false;
+    return GNO_VISIBILITY_LIT;
 }
 
-bool gnoLightBvhQuery(GnoViewSample s_) {
+uint gnoLightBvhAnswer(GnoViewSample s_) {
+    if (GNO_LIGHT_BVH_STATE != gnoState(GNO_STATE_ANY)) return GNO_VISIBILITY_UNKNOWN;
     vec3 q_ = gnoFromLight(GNO_LIGHT, s_.position);
     uvec3 at_ = gnoCellAt(GNO_LIGHT, GNO_LIGHT_BVH_GRID, q_);
     uint place_ = at_.x | (at_.y << 16);
@@ -108,8 +121,10 @@ bool gnoLightBvhQuery(GnoViewSample s_) {
     uint used_ = 0u;
     bool lost_ = false;
     uint link_ = GNO_LIGHT_BVH_ROOT(at_.z);
+    GNO_DEBUG_TURNS_;
     while (link_ != GNO_LIGHT_BVH_NONE) {
         while ((link_ & GNO_LIGHT_BVH_LEAF) == 0u) {  // invocations that found a leaf wait for the others, and all decide at once
+            GNO_DEBUG_TURN_(return GNO_VISIBILITY_UNKNOWN);
             GnoLightBvhNode node_ = GNO_LIGHT_BVH_LOAD_NODE(link_);
             GNO_COUNT(visitedNodes, 1u);
             uint met_ = gnoLightBvhMet_(node_, place_, depth_);
@@ -131,9 +146,14 @@ bool gnoLightBvhQuery(GnoViewSample s_) {
             if (link_ == GNO_LIGHT_BVH_NONE && used_ > 0u) link_ = stack_[--used_];
         }
         if (link_ == GNO_LIGHT_BVH_NONE) break;
-        if (gnoLightBvhShadows_(link_, s_)) return true;
+        if (gnoLightBvhShadows_(link_, s_)) return GNO_VISIBILITY_SHADOW;
         link_ = used_ > 0u ? stack_[--used_] : GNO_LIGHT_BVH_NONE;
     }
-    return lost_ ? gnoLightBvhQueryStackless(s_) : false;
+    if (lost_) return gnoLightBvhStacklessAnswer(s_);
+    return GNO_VISIBILITY_LIT;
 }
+
+bool gnoLightBvhQuery(GnoViewSample s_) { return gnoLightBvhAnswer(s_) != GNO_VISIBILITY_LIT; }
+
+bool gnoLightBvhQueryStackless(GnoViewSample s_) { return gnoLightBvhStacklessAnswer(s_) != GNO_VISIBILITY_LIT; }
 #endif

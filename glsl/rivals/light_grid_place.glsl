@@ -6,8 +6,8 @@
 //   uvec3 gnoLightGridAt(GnoForestGrid grid, uint cell)                      of a cell: column, row, face
 //
 // A sub cell belongs to the cell that the same point is filed in: steps and resolutions differ by a power of two, so the quotient that is rounded
-// down to an index is
-// eight times the cell's, exactly, and the cell's index is the sub cell's divided by eight, whatever the rounding was; clamping keeps that.
+// down to an index is eight times the cell's, exactly, and the cell's index is the sub cell's divided by eight, whatever the rounding was; clamping
+// keeps that.
 //
 // Space      light coordinates, q = gnoFromLight(p)
 // Stages     any; pure

@@ -6,8 +6,7 @@
 //   float gnoLightGridReach(vec4 light, vec4 plane)                              from the plane at place 0: the caster's largest gnoLightScale
 //
 // A lateral plane of a point light passes through it and has no offset: the one at place 0 keeps the reach in its place. A plane that fp32 cannot
-// tell is zero
-// (top/plane.glsl, 1): every point lies in its band.
+// tell is zero (top/plane.glsl, 1): every point lies in its band.
 //
 // Space      positions on the scene grid; q = gnoFromLight(p); facing = gnoFacing(light, t), never 0
 // Stages     any; pure

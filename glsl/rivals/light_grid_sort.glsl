@@ -4,12 +4,10 @@
 //   void gnoLightGridSort(uint group, uint lane)      lists 64 group .. 64 group + 63; all 64 invocations of a work group call it, lane 0 .. 63
 //
 // A short list is sorted by one invocation, by insertion with shrinking gaps; a longer one by the whole work group: blocks of 512 items in shared
-// memory (runs of eight by insertion, then merges
-// in which each item finds its place in the other run by bisection), and above that in place by Batcher's bitonic merges, in the form in which every
-// comparison puts the
-// smaller item first, so that a list whose length is no power of two needs nothing at its end (comparisons with what is not there are left out). A
-// caster is
-// once in a list, so the order is total and the lists do not depend on the order in which their items came.
+// memory (runs of eight by insertion, then merges in which each item finds its place in the other run by bisection), and above that in place by
+// Batcher's bitonic merges, in the form in which every comparison puts the smaller item first, so that a list whose length is no power of two needs
+// nothing at its end (comparisons with what is not there are left out). A caster is once in a list, so the order is total and the lists do not
+// depend on the order in which their items came.
 //
 // Space      none: no positions
 // Stages     compute, work groups of 64; it holds barriers: all invocations of the work group call it
@@ -21,6 +19,7 @@
 //            more; 8 KiB of shared memory
 //
 // Macro                     required  default  meaning
+// GNO_LIGHT_GRID_BUILDS     no        1        GNO_LIGHT_GRID_PASS_SORT, alone or with | among others, or 1
 // GNO_LIGHT_GRID_LISTS      yes       -        array of GnoLightGridList
 // GNO_LIGHT_GRID_ITEMS      yes       -        array of GnoLightGridItem in a coherent storage buffer
 // GNO_LIGHT_GRID_CAPACITY   yes       -        items that the pool holds; a list that reaches beyond is left as it is
@@ -28,8 +27,17 @@
 #ifndef GNO_RIVALS_LIGHT_GRID_SORT_GLSL
 #define GNO_RIVALS_LIGHT_GRID_SORT_GLSL
 #include "light_grid.h"
-#if !defined(GNO_LIGHT_GRID_LISTS) || !defined(GNO_LIGHT_GRID_ITEMS) || !defined(GNO_LIGHT_GRID_CAPACITY)
-#error "rivals/light_grid_sort.glsl: define GNO_LIGHT_GRID_LISTS, GNO_LIGHT_GRID_ITEMS and GNO_LIGHT_GRID_CAPACITY or include rivals/light_grid_bindings.glsl before this file"
+#ifndef GNO_LIGHT_GRID_BUILDS
+#define GNO_LIGHT_GRID_BUILDS 1
+#endif
+#if !((GNO_LIGHT_GRID_BUILDS) & (1 | GNO_LIGHT_GRID_PASS_SORT))
+#error "rivals/light_grid_sort.glsl: which pass is this? define GNO_LIGHT_GRID_BUILDS before light_grid_bindings.glsl, as light_grid.h says"
+#endif
+#if !defined(GNO_LIGHT_GRID_LISTS) || !defined(GNO_LIGHT_GRID_ITEMS)
+#error "rivals/light_grid_sort.glsl: define GNO_LIGHT_GRID_LISTS and GNO_LIGHT_GRID_ITEMS (or include light_grid_bindings.glsl)"
+#endif
+#ifndef GNO_LIGHT_GRID_CAPACITY
+#error "rivals/light_grid_sort.glsl: define GNO_LIGHT_GRID_CAPACITY (or include light_grid_bindings.glsl)"
 #endif
 #ifndef GNO_LIGHT_GRID_SHORT
 #define GNO_LIGHT_GRID_SHORT 32u

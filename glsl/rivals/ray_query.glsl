@@ -3,15 +3,13 @@
 // (GLSL_EXT_ray_query).
 //
 //   bool gnoRayQueryInShadow(GnoViewSample s)      true: the ray meets a caster other than s.own
+//   uint gnoRayQueryAnswer(GnoViewSample s)        the same as GNO_VISIBILITY_SHADOW or _LIT; a structure of the device's has no word to check
 //
 // The ray runs from the sample to the light, with the unnormalised direction to a point light and t from 0 to the last fp32 number below 1, or along
-// a direction with t
-// from 0 to 8 (the grid's cube is left by t = 4.1). It ends at the first caster that is not the sample's own; the own one is passed, so every
-// triangle is a candidate
-// that the loop confirms or not, whatever its geometry's flags. There is no bias: a view sample already lies off its own plane.
-// The device decides in fp32, by a test that Vulkan leaves to the driver: near an edge or a tie it may differ from the definition (README "What in
-// shadow means"). Nothing is
-// certified here; the rung is `published`.
+// a direction with t from 0 to 8 (the grid's cube is left by t = 4.1). It ends at the first caster that is not the sample's own; the own one is
+// passed, so every triangle is a candidate that the loop confirms or not, whatever its geometry's flags. There is no bias: a view sample already
+// lies off its own plane. The device decides in fp32, by a test that Vulkan leaves to the driver: near an edge or a tie it may differ from the
+// definition (README "What in shadow means"). Nothing is certified here; the rung is `published`.
 //
 // Space      s.position on the scene grid, s.own the caster it lies on or GNO_NO_CASTER; the structure holds the casters on the same grid,
 //            untransformed
@@ -55,4 +53,6 @@ bool gnoRayQueryInShadow(GnoViewSample s_) {
     }
     return rayQueryGetIntersectionTypeEXT(query_, true) != gl_RayQueryCommittedIntersectionNoneEXT;
 }
+
+uint gnoRayQueryAnswer(GnoViewSample s_) { return gnoRayQueryInShadow(s_) ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT; }
 #endif

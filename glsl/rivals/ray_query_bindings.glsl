@@ -9,6 +9,9 @@
 // Macro                            required  default  meaning
 // GNO_RAY_QUERY_SET                no        1        descriptor set
 // GNO_RAY_QUERY_BINDING_STRUCTURE  no        0        the top-level structure
+#ifdef GNO_RIVALS_RAY_QUERY_BINDINGS_GLSL
+#error "rivals/ray_query_bindings.glsl: a second inclusion changes nothing: GNO_RAY_QUERY_SET and the other number are read once"
+#endif
 #ifndef GNO_RIVALS_RAY_QUERY_BINDINGS_GLSL
 #define GNO_RIVALS_RAY_QUERY_BINDINGS_GLSL
 #ifndef GNO_RAY_QUERY_SET

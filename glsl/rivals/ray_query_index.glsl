@@ -4,10 +4,8 @@
 //   uvec3 gnoRayQueryIndices(uint caster, int facing)      the caster's three vertices; the first one three times when facing is 0
 //
 // By the Vulkan specification a triangle that is a point generates no intersection, and one with the same index twice can always be discarded from
-// the structure. So the
-// casters' own buffer serves as vertices, a caster's index is its primitive index whatever is culled, and the host needs no count back. (A NaN would
-// mark a
-// triangle as inactive, too, but lavapipe 25.0 loses other triangles then.)
+// the structure. So the casters' own buffer serves as vertices, a caster's index is its primitive index whatever is culled, and the host needs no
+// count back. (A NaN would mark a triangle as inactive, too, but lavapipe 25.0 loses other triangles then.)
 //
 // Space      vertices at 3 caster, 3 caster + 1, 3 caster + 2 (core/bindings.glsl); facing of gnoCasterFacing (core/caster_state.glsl): 0 for a
 //            caster

@@ -5,8 +5,7 @@
 //   void gnoShadowMapMeasure(GnoViewSample s)        widens the bounds of the first view that holds the sample
 //
 // Per view four numbers, 0 before (reset them): 2^24 + 1 minus the least, and 1 plus the largest position to the right, and both downwards, in steps
-// of 2^-24 of the
-// view's width. gnoShadowMapFit of view.h reads them; all four stay 0 in a view without samples: it need not be drawn.
+// of 2^-24 of the view's width. gnoShadowMapFit of view.h reads them; all four stay 0 in a view without samples: it need not be drawn.
 //
 // Space      sample on the scene grid
 // Stages     any with storage buffers and atomics on them (fragment stage: fragmentStoresAndAtomics); may diverge

@@ -10,6 +10,9 @@
 // Macro                         required  default  meaning
 // GNO_SHADOW_MAP_SET            no        1        descriptor set, the same as in bindings.glsl
 // GNO_SHADOW_MAP_BINDING_MAP    no        2        sampled depth image (D32), one layer per view; the sampler does not matter: texels are fetched
+#ifdef GNO_SHADOW_MAP_MAP_BINDINGS_GLSL
+#error "shadow_map/map_bindings.glsl: a second inclusion changes nothing: GNO_SHADOW_MAP_SET and the other number are read once"
+#endif
 #ifndef GNO_SHADOW_MAP_MAP_BINDINGS_GLSL
 #define GNO_SHADOW_MAP_MAP_BINDINGS_GLSL
 #ifndef GNO_SHADOW_MAP_SET

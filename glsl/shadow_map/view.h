@@ -2,8 +2,7 @@
 // gnomon shadow_map/view.h : one view of a shadow map: a projection of everything the light sees, or of a part; read by glslang and by C++20
 // (namespace gno).
 // After Williams, "Casting Curved Shadows on Curved Surfaces", SIGGRAPH 1978; fitting to the view samples as Lauritzen, Salvi, Lefohn, "Sample
-// Distribution
-// Shadow Maps", I3D 2011.
+// Distribution Shadow Maps", I3D 2011.
 //
 // Space      q = gnoFromLight(light, p) of core/light.glsl, p on the scene grid; clip coordinates as Vulkan has them (y down, depth 0 .. 1), depth
 //            reversed:
@@ -22,14 +21,14 @@
 //        the part of `rect` that holds the samples that shadow_map/fit.glsl measured, and a margin of 1/1024 of it; measured.x 0: there is none
 //
 // Perspective depth is GNO_SHADOW_MAP_NEAR / w with w the distance along `forward`: no far plane, and in fp32 the same relative step at every
-// distance, so the near
-// plane may stand so close to the light that all casters between light and samples are drawn: no depth clamp. Orthographic depth is (far - t) / (far
+// distance, so the near plane may stand so close to the light that all casters between light and samples are drawn: no depth clamp. Orthographic
+// depth is (far - t) / (far
 // - near), t along
 // `forward`; near is that of the caster nearest to the light. A sample beyond far has a depth below 0 and is compared as 0: whatever was drawn is
 // nearer.
 #ifndef GNO_SHADOW_MAP_VIEW_H
 #define GNO_SHADOW_MAP_VIEW_H
-#include "../core/shared_types.h"
+#include "../core/state.h"
 GNO_NAMESPACE_BEGIN
 
 GNO_CONST float GNO_SHADOW_MAP_NEAR = 9.5367431640625e-7f;  // 2^-20 grid units: nearer casters are clipped
@@ -53,8 +52,8 @@ GNO_STRUCT_OFFSET(GnoShadowMapView, bias, 64)
 struct GnoShadowMapHeader {  // std430, 16 bytes, before the views
     uint viewCount;        //  0
     uint size;             //  4  texels along a side
-    uint unused0;          //  8
-    uint unused1;          // 12
+    uint state;            //  8  gnoState(GNO_STATE_ANY) once the views are filled in (core/state.h)
+    uint unused0;          // 12
 };
 GNO_STRUCT_SIZE(GnoShadowMapHeader, 16)
 GNO_STRUCT_OFFSET(GnoShadowMapHeader, size, 4)

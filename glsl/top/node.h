@@ -3,6 +3,8 @@
 // After Mora, Gerhards, Aveneau, Ghazanfarpour, "Deep Partitioned Shadow Volumes Using Stackless and Hybrid Traversals", EGSR 2016,
 // section 3.6 (four consecutive nodes per shadow volume, the negative child is the next node, 128 bytes per caster).
 //
+//   uint gnoTopState(GnoTopHeader header)      the word of core/state.h: may this tree be asked?
+//
 // Space      planes in the coordinates of gnoFromLight (core/light.glsl)
 // Stages     any
 // Requires   #version 450, no extension
@@ -23,9 +25,13 @@
 //   1  ancestor: the node whose intersection subtree this volume stands in, GNO_TOP_NONE in none (section 3.4)
 //   2  bits 0..1: facing + 1 (gnoFacing), 1: the caster is left out; bits 2..4: lateral plane 0..2 is a substitute (plane.glsl, 8)
 //   3  reach: the caster's largest gnoLightScale, float bits
+//
+// A shader that builds says which pass it is, before bindings.glsl and build.glsl: #define GNO_TOP_BUILDS GNO_TOP_PASS_SET_UP; two with |, all: 1.
 #ifndef GNO_TOP_NODE_H
 #define GNO_TOP_NODE_H
-#include "../core/shared_types.h"
+#include "../core/state.h"
+#define GNO_TOP_PASS_SET_UP 2  // gnoTopSetUp writes planes, links and slabs, its caller the header
+#define GNO_TOP_PASS_BUILD 4   // gnoTopInsert writes links, slabs and the header, or whatever holds the root
 GNO_NAMESPACE_BEGIN
 
 GNO_CONST uint GNO_TOP_NONE = 0xFFFFFFFFu;  // no child, no ancestor, empty tree
@@ -47,11 +53,15 @@ GNO_STRUCT_OFFSET(GnoTopLink, wedge, 12)
 
 struct GnoTopHeader {        // std430, 16 bytes
     uint root;               //  0  GNO_TOP_NONE: an empty tree, everything is lit
-    uint casterCount;        //  4
-    uint unused0;            //  8
-    uint unused1;            // 12
+    uint casterCount;        //  4  insertions that make it whole
+    uint state;              //  8  set-up: gnoState(precision); other words: no tree (core/state.h)
+    uint inserted;           // 12  build: insertions that were begun; as many as casterCount, and the tree is built
 };
 GNO_STRUCT_SIZE(GnoTopHeader, 16)
+GNO_STRUCT_OFFSET(GnoTopHeader, state, 8)
+
+// The word of core/state.h: of a tree whose build was left out, or done twice without a set-up between, it is 0.
+GNO_INLINE uint gnoTopState(GnoTopHeader header_) { return header_.inserted == header_.casterCount ? header_.state : 0u; }
 
 // std430, 16 bytes: what a node knows of its children, so that one which cannot matter is not loaded; bounds as in plane.glsl, 9
 struct GnoTopSlab {
@@ -75,7 +85,6 @@ struct GnoTopNode {          // a value: one node as a query sees it
 
 #ifdef __cplusplus
 inline constexpr uint kTopGroupSize = 64;  ///< invocations per work group of set-up and build
-constexpr uint topGroupCount(uint casterCount) { return (casterCount + kTopGroupSize - 1) / kTopGroupSize; }
 constexpr std::uint64_t topPlaneBytes(std::uint64_t casterCount) { return 64 * (casterCount > 0 ? casterCount : 1); }
 constexpr std::uint64_t topLinkBytes(std::uint64_t casterCount) { return 64 * (casterCount > 0 ? casterCount : 1); }
 constexpr std::uint64_t topSlabBytes(std::uint64_t casterCount) { return 64 * (casterCount > 0 ? casterCount : 1); }

@@ -31,9 +31,8 @@
 // Requires   #version 450, no extension
 //
 // The constants hold for the expressions as written, componentwise, without contraction. gnoTopPlane's plane has to have the same bits each time it
-// is asked for (the margin
-// of 3 is for one stored n): a plane's products that are added up are `precise`; one compiler is taken to divide and to draw a root alike in each of
-// its shaders.
+// is asked for (the margin of 3 is for one stored n): a plane's products that are added up are `precise`; one compiler is taken to divide and to
+// draw a root alike in each of its shaders.
 // u = GNO_ULP = 2^-23 bounds the relative error of one
 // operation in any rounding mode, E = GNO_BAND = 8u. Grid coordinates keep every product far above the smallest normal number but for
 // cross products of tiny edges: planes of length below 2^-50 count as garbage, so flushed denormals cost nothing but certainty.
@@ -46,54 +45,40 @@
 //    not that of side, |side| <= (err/len + 5u)|q|/kappa < E|q|. The slack (3u, and 5.7 against 8 in err) covers len, kappa, and the band's own
 //    product.
 // 3. Margin, point light, lateral. All vertices have side > 3E|v|, hence exactly n.v > (3E - 5u)|v|. A point of the volume is q = sum l_i v_i, l_i
-// >= 0:
-//    n.q > (3E - 5u)|q|, its computed side > (3E - 10u)|q| = 14u|q| > E|q|: it is outside the band, on the same side.
+//    >= 0: n.q > (3E - 5u)|q|, its computed side > (3E - 10u)|q| = 14u|q| > E|q|: it is outside the band, on the same side.
 // 4. Cap, point light. side = fl(n.q + d), d = fl(-n.a). Errors: 5u|q| + 6u reach (d's own dot product, a's rounding, the last sum), and
 //    (err/len)(|q| + reach) from m: below E(|q| + reach). Only "the whole volume is behind the cap" needs a margin (a caster in the positive child
-//    is
-//    visited from the band and from above): all vertices behind by more than 3E(|v| + reach) are exactly behind, the light is in front, so the
+//    is visited from the band and from above): all vertices behind by more than 3E(|v| + reach) are exactly behind, the light is in front, so the
 //    volume
 //    - it starts at the caster and leads away from the light - is behind too.
 // 5. Directional light, S = GNO_SCENE_RADIUS. side = fl(n.p + d): 5uS against the stored plane, which errs against N by (err/len + 6u) 2S/kappa:
-// band 2ES.
-//    N.D = 0, so |n.D'| <= (err/len + u)/kappa <= E for D' = D/|D|. A point of the volume is x - mu D', x in the caster, mu <= 2S: its computed side
-//    is
-//    above margin - 5uS - 2SE - 5uS > 2ES when the margin is 5.25ES; taken: 6ES. The same for the cap with margin 6ES.
+//    band 2ES. N.D = 0, so |n.D'| <= (err/len + u)/kappa <= E for D' = D/|D|. A point of the volume is x - mu D', x in the caster, mu <= 2S: its
+//    computed side is above margin - 5uS - 2SE - 5uS > 2ES when the margin is 5.25ES; taken: 6ES. The same for the cap with margin 6ES.
 // 6. Wedge, for the positive side (the negative one likewise with -o_i). o_i = computed sides of the vertices. Point: w = max(0, max o_i/|v_i|), c
-// the unit sum of the
-//    vertices' directions, s = min c.v_i/|v_i|: for q = sum l_i v_i, n.q <= sum l_i max(0, n.v_i) and |q| >= c.q >= s sum l_i |v_i|, so side/|q| <=
-//    (w + 10u + rounding)/s:
+//    the unit sum of the vertices' directions, s = min c.v_i/|v_i|: for q = sum l_i v_i, n.q <= sum l_i max(0, n.v_i) and |q| >= c.q >= s sum l_i
+//    |v_i|, so side/|q| <= (w + 10u + rounding)/s:
 //    (w + 2E)/(s - 2E) (s errs by 11u), used when s > 1/64. And with depth, a lower bound of the caster's distance: the volume's directions are the
-//    caster's, so
-//    (max(0, max o_i) + 2E max |v_i|)/depth. Each is valid; the smaller is taken. The paper's bound (its vertices' largest sine) is not: an arc
-//    between two vertices bulges.
+//    caster's, so (max(0, max o_i) + 2E max |v_i|)/depth. Each is valid; the smaller is taken. The paper's bound (its vertices' largest sine) is
+//    not: an arc between two vertices bulges.
 //    Directional: side <= max(0, max o_i) + 2SE + 10uS < max(0, max o_i) + 6ES over the volume; divided by the scale S it is comparable in the same
 //    way.
 //    A side in the band is below 2E and so below either bound, whatever its computed sign.
 // 7. Least depth. Any vector g of length <= 1 + 4u bounds the distance from below by min g.v_i; minus 2E|v_i| (g.v errs by 4u|v|, |q| in the query
-// by 4u|q|).
-//    Directional: min over the vertices of the depth, each side errs by at most 16u, so minus 5E.
+//    by 4u|q|). Directional: min over the vertices of the depth, each side errs by at most 16u, so minus 5E.
 // 8. Substitute. An edge that points at the light leaves its plane undetermined: kappa = 1 + 1/sin(angle between r and e), and at err >= len nothing
-// is left of it. Any plane through
-//    the light may route, so such an edge (kappa > 64) gets one that leaves the whole caster certainly on its negative side, beyond the build's own
-//    margin (it is looked at
-//    with the expressions of the build): a point of the owner's volume is then certainly negative, too, and (2), (3), (5) and (6) hold for the
-//    stored plane, which errs by nothing. Inside
-//    its band a point is in no volume of the owner, the positive or the negative child. It says nothing about the owner otherwise: whoever comes out
-//    behind the cap of such
-//    a volume is decided exactly, all planes at once, and the volume swallows no other caster.
+//    is left of it. Any plane through the light may route, so such an edge (kappa > 64) gets one that leaves the whole caster certainly on its
+//    negative side, beyond the build's own margin (it is looked at with the expressions of the build): a point of the owner's volume is then
+//    certainly negative, too, and (2), (3), (5) and (6) hold for the stored plane, which errs by nothing. Inside its band a point is in no volume of
+//    the owner, the positive or the negative child. It says nothing about the owner otherwise: whoever comes out behind the cap of such a volume is
+//    decided exactly, all planes at once, and the volume swallows no other caster.
 // 9. Bounds from both ends, for what lies wholly on one side. From above, either side: (6), which asks nothing of where the caster lies; a touching
-// vertex, whose side is
-//    taken for 0, has exactly |n.v| <= E|v| for the stored n, with the 5u of the point's own side still below the 2E of (6). From below, the
-//    positive side, point light:
+//    vertex, whose side is taken for 0, has exactly |n.v| <= E|v| for the stored n, with the 5u of the point's own side still below the 2E of (6).
+//    From below, the positive side, point light:
 //    all o_i >= 0, m = min o_i/|v_i|; n.q = sum l_i n.v_i >= (m - 5u) sum l_i |v_i| >= (m - 5u)|q| where m > 5u, for |q| <= sum l_i |v_i|: an arc
-//    between two vertices
-//    bulges away from the plane, so here the vertices do. The point's own side errs by 5u|q|, m itself by 6u m <= 7u: m - 2E, and less by 16u of
-//    itself for the product in
-//    the query and |q|. Directional: min o_i - 6ES, as in (6). Where that is below 0 it is stored as 0, and
-//    a computed side below 0 is looked up as 0: the exact sign may have sent such a point to the positive side. Both bounds are of the computed side
-//    of every point of the
-//    volume, so the band needs no case of its own, nor does a substitute plane.
+//    between two vertices bulges away from the plane, so here the vertices do. The point's own side errs by 5u|q|, m itself by 6u m <= 7u: m - 2E,
+//    and less by 16u of itself for the product in the query and |q|. Directional: min o_i - 6ES, as in (6). Where that is below 0 it is stored as 0,
+//    and a computed side below 0 is looked up as 0: the exact sign may have sent such a point to the positive side. Both bounds are of the computed
+//    side of every point of the volume, so the band needs no case of its own, nor does a substitute plane.
 #ifndef GNO_TOP_PLANE_GLSL
 #define GNO_TOP_PLANE_GLSL
 #include "../core/light.glsl"

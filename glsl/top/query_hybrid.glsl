@@ -3,7 +3,8 @@
 // After Mora et al., EGSR 2016, section 3.5 (D-Hybrid): an intersection child that finds the stack full is visited at once, without a stack;
 // back at its parent by the ancestor link, the query goes on with the stack.
 //
-//   bool gnoTopQueryHybrid(GnoViewSample s)      true: s is in shadow
+//   uint gnoTopHybridAnswer(GnoViewSample s)     GNO_VISIBILITY_LIT, _SHADOW, or _UNKNOWN: there is no tree to ask, none was
+//   bool gnoTopQueryHybrid(GnoViewSample s)      the same for two answers: true where it is not lit
 //
 // Space      s.position on the scene grid, s.own the caster it lies on or GNO_NO_CASTER
 // Sides      visit.glsl
@@ -23,55 +24,49 @@
 #endif
 GNO_NAMESPACE_BEGIN
 
-GNO_INLINE bool gnoTopQueryHybrid(GnoViewSample s_) {
+GNO_INLINE uint gnoTopHybridAnswer(GnoViewSample s_) {
+    if (GNO_TOP_STATE != gnoState(GNO_PRECISION)) return GNO_VISIBILITY_UNKNOWN;
     GnoTopPoint_ point_ = gnoTopPoint_(s_);
     uint stack_[GNO_TOP_SHORT_STACK_SIZE];
     uint used_ = 0u;
     uint resume_ = GNO_TOP_NONE;  // the node at which the stack takes over again; GNO_TOP_NONE: it is in use
     bool twice_ = false;          // this node's intersection child was visited already
     uint index_ = GNO_TOP_FIND_ROOT(point_.q);
-    if (index_ == GNO_TOP_IN_SHADOW) return true;
+    if (index_ == GNO_TOP_IN_SHADOW) return GNO_VISIBILITY_SHADOW;
+    GNO_DEBUG_TURNS_;
     while (index_ != GNO_TOP_NONE) {
-        GnoTopNode node_ = GNO_TOP_LOAD_NODE(index_);
-        GnoTopSlab slab_ = gnoTopNoSlab_();
-        // here, not where it is asked for: a load of few invocations costs as much as one of all
-        if (GNO_TOP_SLAB_ != 0) slab_ = GNO_TOP_LOAD_SLAB_(index_);
-        GNO_COUNT(visitedNodes, 1u);
-        uint next_ = GNO_TOP_NONE;
-        if (twice_ || !gnoTopFarther_(point_, node_, index_)) {
-            float side_ = gnoTopSide(node_.plane, point_.q);
-            if (!twice_ && gnoTopMeetsIntersection_(point_, node_, slab_, index_, side_)) {
-                if (resume_ == GNO_TOP_NONE && used_ < uint(GNO_TOP_SHORT_STACK_SIZE)) {
-                    stack_[used_] = node_.intersectionChild;
-                    ++used_;
-                    GNO_COUNT_MAX(deepestStack, used_);
-                } else {
-                    if (resume_ == GNO_TOP_NONE) {
-                        resume_ = index_;
-                        GNO_COUNT(stackOverflows, 1u);
-                    }
-                    index_ = node_.intersectionChild;
-                    continue;
+        GNO_DEBUG_TURN_(return GNO_VISIBILITY_UNKNOWN);
+        GNO_TOP_INSIDE_(index_, return GNO_VISIBILITY_UNKNOWN);
+        GnoTopVisit_ visit_ = gnoTopVisit_(point_, index_, twice_);
+        if (visit_.intersection != GNO_TOP_NONE) {
+            if (resume_ != GNO_TOP_NONE || used_ == uint(GNO_TOP_SHORT_STACK_SIZE)) {
+                if (resume_ == GNO_TOP_NONE) {
+                    resume_ = index_;
+                    GNO_COUNT(stackOverflows, 1u);
                 }
+                index_ = visit_.intersection;
+                continue;
             }
-            twice_ = false;
-            next_ = gnoTopNext_(point_, node_, slab_, index_, side_);
-            if (next_ == GNO_TOP_IN_SHADOW) return true;
+            stack_[used_] = visit_.intersection;
+            ++used_;
+            GNO_COUNT_MAX(deepestStack, used_);
         }
-        if (next_ == GNO_TOP_NONE) {
-            if (resume_ != GNO_TOP_NONE) {
-                next_ = GNO_TOP_LOAD_ANCESTOR(index_);
-                twice_ = true;
-                if (next_ == resume_) resume_ = GNO_TOP_NONE;
-            } else if (used_ > 0u) {
-                --used_;
-                next_ = stack_[used_];
-            }
+        uint next_ = gnoTopAfter_(point_, visit_, index_);
+        if (next_ == GNO_TOP_IN_SHADOW) return GNO_VISIBILITY_SHADOW;
+        twice_ = next_ == GNO_TOP_NONE && resume_ != GNO_TOP_NONE;
+        if (twice_) {
+            next_ = GNO_TOP_LOAD_ANCESTOR(index_);
+            if (next_ == resume_) resume_ = GNO_TOP_NONE;
+        } else if (next_ == GNO_TOP_NONE && used_ > 0u) {
+            --used_;
+            next_ = stack_[used_];
         }
         index_ = next_;
     }
-    return false;
+    return GNO_VISIBILITY_LIT;
 }
+
+GNO_INLINE bool gnoTopQueryHybrid(GnoViewSample s_) { return gnoTopHybridAnswer(s_) != GNO_VISIBILITY_LIT; }
 
 GNO_NAMESPACE_END
 #endif

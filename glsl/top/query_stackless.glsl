@@ -2,7 +2,8 @@
 // gnomon top/query_stackless.glsl : is a point inside a shadow volume stored in a TOP tree? Without a stack.
 // After Mora et al., EGSR 2016, algorithm 3 (D-Stackless): the intersection child first, then back by the ancestor link.
 //
-//   bool gnoTopQueryStackless(GnoViewSample s)      true: s is in shadow
+//   uint gnoTopStacklessAnswer(GnoViewSample s)     GNO_VISIBILITY_LIT, _SHADOW, or _UNKNOWN: there is no tree to ask, none was
+//   bool gnoTopQueryStackless(GnoViewSample s)      the same for two answers: true where it is not lit
 //
 // Space      s.position on the scene grid, s.own the caster it lies on or GNO_NO_CASTER
 // Sides      visit.glsl
@@ -18,36 +19,31 @@
 #include "visit.glsl"
 GNO_NAMESPACE_BEGIN
 
-GNO_INLINE bool gnoTopQueryStackless(GnoViewSample s_) {
+GNO_INLINE uint gnoTopStacklessAnswer(GnoViewSample s_) {
+    if (GNO_TOP_STATE != gnoState(GNO_PRECISION)) return GNO_VISIBILITY_UNKNOWN;
     GnoTopPoint_ point_ = gnoTopPoint_(s_);
     bool twice_ = false;  // this node's intersection child was visited already
     uint index_ = GNO_TOP_FIND_ROOT(point_.q);
-    if (index_ == GNO_TOP_IN_SHADOW) return true;
+    if (index_ == GNO_TOP_IN_SHADOW) return GNO_VISIBILITY_SHADOW;
+    GNO_DEBUG_TURNS_;
     while (index_ != GNO_TOP_NONE) {
-        GnoTopNode node_ = GNO_TOP_LOAD_NODE(index_);
-        GnoTopSlab slab_ = gnoTopNoSlab_();
-        // here, not where it is asked for: a load of few invocations costs as much as one of all
-        if (GNO_TOP_SLAB_ != 0) slab_ = GNO_TOP_LOAD_SLAB_(index_);
-        GNO_COUNT(visitedNodes, 1u);
-        uint next_ = GNO_TOP_NONE;
-        if (twice_ || !gnoTopFarther_(point_, node_, index_)) {
-            float side_ = gnoTopSide(node_.plane, point_.q);
-            if (!twice_ && gnoTopMeetsIntersection_(point_, node_, slab_, index_, side_)) {
-                index_ = node_.intersectionChild;
-                continue;
-            }
-            twice_ = false;
-            next_ = gnoTopNext_(point_, node_, slab_, index_, side_);
-            if (next_ == GNO_TOP_IN_SHADOW) return true;
+        GNO_DEBUG_TURN_(return GNO_VISIBILITY_UNKNOWN);
+        GNO_TOP_INSIDE_(index_, return GNO_VISIBILITY_UNKNOWN);
+        GnoTopVisit_ visit_ = gnoTopVisit_(point_, index_, twice_);
+        if (visit_.intersection != GNO_TOP_NONE) {
+            index_ = visit_.intersection;
+            continue;
         }
-        if (next_ == GNO_TOP_NONE) {
-            next_ = GNO_TOP_LOAD_ANCESTOR(index_);
-            twice_ = true;
-        }
+        uint next_ = gnoTopAfter_(point_, visit_, index_);
+        if (next_ == GNO_TOP_IN_SHADOW) return GNO_VISIBILITY_SHADOW;
+        twice_ = next_ == GNO_TOP_NONE;
+        if (twice_) next_ = GNO_TOP_LOAD_ANCESTOR(index_);
         index_ = next_;
     }
-    return false;
+    return GNO_VISIBILITY_LIT;
 }
+
+GNO_INLINE bool gnoTopQueryStackless(GnoViewSample s_) { return gnoTopStacklessAnswer(s_) != GNO_VISIBILITY_LIT; }
 
 GNO_NAMESPACE_END
 #endif

@@ -11,8 +11,7 @@
 //   conservative   in a lateral band the point lies in no volume of the positive or the negative child (their margin is wider): the owner's volume
 //   is decided in fp32
 //                  at the caster (core/decide.glsl), then only the intersection child is left. In the cap's band the positive child is left as well:
-//                  the cap does not
-//                  pass through the light, casters in front of it do shadow points on it.
+//                  the cap does not pass through the light, casters in front of it do shadow points on it.
 //   published      has no band: the fp32 sign routes, zero goes negative, the sample's own caster is like any other.
 //
 // Space      as the queries
@@ -20,6 +19,7 @@
 // Requires   #version 450, no extension, no optional device feature
 //
 // Macro                        required  default                  meaning
+// GNO_TOP_STATE                yes       -                        uint: gnoState(GNO_PRECISION) where there is a tree to ask (core/state.h)
 // GNO_TOP_LOAD_NODE(index)     yes       -                        GnoTopNode at index; index < node count, never GNO_TOP_NONE; no side effect
 // GNO_TOP_LOAD_ANCESTOR(index) yes       -                        ancestor link of the volume that node index belongs to
 // GNO_TOP_LOAD_FLAGS(index)    yes       -                        aux of the third node of the volume that node index belongs to (node.h)
@@ -29,6 +29,7 @@
 // GNO_TOP_ROOT                 no        0u                       index of the root; GNO_TOP_NONE means an empty tree: everything is lit
 // GNO_TOP_FIND_ROOT(q)         no        GNO_TOP_ROOT             the root of the tree to ask for a point q = gnoFromLight(p), where there are
 //                                                                 several; or GNO_TOP_IN_SHADOW
+// GNO_TOP_NODE_COUNT           no        -                        nodes that there are; looked at with GNO_DEBUG 1 (core/debug.glsl)
 // GNO_TOP_CASTER_OF(block)     no        (block)                  the caster of nodes 4 * block and on
 // GNO_LIGHT                    yes       -                        vec4, homogeneous (core/light.glsl)
 // GNO_LOAD_CASTER(index)       yes       -                        GnoCaster, on the scene grid
@@ -37,16 +38,24 @@
 #ifndef GNO_TOP_VISIT_GLSL
 #define GNO_TOP_VISIT_GLSL
 #include "../core/counters.glsl"
+#include "../core/debug.glsl"
 #include "../core/decide.glsl"
 #include "plane.glsl"
+#define GNO_TOP_INCLUDED_
+#ifdef GNO_FOREST_UNDECIDED_
+#error "top/visit.glsl: forest is bound: define GNO_FOREST_TREES, 1 (its trees) or 0 (one tree), before forest/bindings.glsl"
+#endif
 #if !defined(GNO_TOP_LOAD_NODE) || !defined(GNO_TOP_LOAD_ANCESTOR) || !defined(GNO_TOP_LOAD_FLAGS)
-#error "top/visit.glsl: define GNO_TOP_LOAD_NODE(index), GNO_TOP_LOAD_ANCESTOR(index) and GNO_TOP_LOAD_FLAGS(index) or include top/bindings.glsl before this file"
+#error "top/visit.glsl: define GNO_TOP_LOAD_NODE(index), GNO_TOP_LOAD_ANCESTOR(index) and GNO_TOP_LOAD_FLAGS(index) (or include bindings.glsl)"
 #endif
 #ifndef GNO_LIGHT
 #error "top/visit.glsl: define GNO_LIGHT, a homogeneous vec4"
 #endif
 #ifndef GNO_LOAD_CASTER
 #error "top/visit.glsl: define GNO_LOAD_CASTER(index) or include core/bindings.glsl before this file"
+#endif
+#ifndef GNO_TOP_STATE
+#error "top/visit.glsl: define GNO_TOP_STATE, the word of the structure's header (core/state.h), or include bindings.glsl before this file"
 #endif
 #ifndef GNO_TOP_ROOT
 #define GNO_TOP_ROOT 0u
@@ -66,6 +75,11 @@
 #endif
 #ifndef GNO_TOP_CASTER_OF
 #define GNO_TOP_CASTER_OF(block_) (block_)
+#endif
+#ifdef GNO_TOP_NODE_COUNT
+#define GNO_TOP_INSIDE_(index_, end_) GNO_DEBUG_INSIDE_(index_, GNO_TOP_NODE_COUNT, end_)
+#else
+#define GNO_TOP_INSIDE_(index_, end_)
 #endif
 #ifndef GNO_PRECISION
 #define GNO_PRECISION GNO_PRECISION_CERTIFIED
@@ -171,6 +185,41 @@ GNO_INLINE uint gnoTopNext_(GnoTopPoint_ point_, GnoTopNode node_, GnoTopSlab sl
             if ((index_ & 3u) != 3u && !gnoTopInPositive(slab_.positive, side_, point_.scale)) return GNO_TOP_NONE;
         }
     }
+    return next_;
+}
+
+// One visit of a node: by all queries. The intersection child is to be visited first, then the one that gnoTopAfter_ tells.
+struct GnoTopVisit_ {
+    GnoTopNode node;
+    GnoTopSlab slab;
+    float side;
+    bool farther;       // nothing in the subtree matters
+    uint intersection;  // GNO_TOP_NONE: none, or it was visited already
+};
+
+// `twice`: back from the intersection child.
+GNO_INLINE GnoTopVisit_ gnoTopVisit_(GnoTopPoint_ point_, uint index_, bool twice_) {
+    GnoTopVisit_ visit_;
+    visit_.node = GNO_TOP_LOAD_NODE(index_);
+    visit_.slab = gnoTopNoSlab_();
+    // here, not where it is asked for: a load of few invocations costs as much as one of all
+    if (GNO_TOP_SLAB_ != 0) visit_.slab = GNO_TOP_LOAD_SLAB_(index_);
+    GNO_COUNT(visitedNodes, 1u);
+    visit_.side = 0.0f;
+    visit_.intersection = GNO_TOP_NONE;
+    visit_.farther = !twice_ && gnoTopFarther_(point_, visit_.node, index_);
+    if (!visit_.farther) {
+        visit_.side = gnoTopSide(visit_.node.plane, point_.q);
+        if (!twice_ && gnoTopMeetsIntersection_(point_, visit_.node, visit_.slab, index_, visit_.side))
+            visit_.intersection = visit_.node.intersectionChild;
+    }
+    return visit_;
+}
+
+// As gnoTopNext_.
+GNO_INLINE uint gnoTopAfter_(GnoTopPoint_ point_, GnoTopVisit_ visit_, uint index_) {
+    uint next_ = GNO_TOP_NONE;
+    if (!visit_.farther) next_ = gnoTopNext_(point_, visit_.node, visit_.slab, index_, visit_.side);
     return next_;
 }
 

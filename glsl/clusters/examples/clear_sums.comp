@@ -5,6 +5,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "../bindings.glsl"
 #define GNO_MATERIAL_SET 3
+#define GNO_TRANSMITTANCE_ADDS 1
 #include "../../core/material_bindings.glsl"
 
 void main() {

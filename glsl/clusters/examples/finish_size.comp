@@ -2,10 +2,12 @@
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // Between the passes of the traversal: one invocation writes the arguments of the second one's indirect dispatch.
+#include "../../core/constant_ids.h"
 layout(local_size_x = 1) in;
-layout(constant_id = 20) const uint kForm = 1u;
+layout(constant_id = GNO_ID_FORM) const uint kForm = 1u;
 #define GNO_CLUSTER_FORM kForm
-layout(constant_id = 23) const uint kGroups = 64u;
+layout(constant_id = GNO_ID_GROUPS) const uint kGroups = 64u;
+#define GNO_CLUSTER_BUILDS GNO_CLUSTER_PASS_SIZES
 #include "../bindings.glsl"
 
 void main() {

@@ -2,20 +2,21 @@
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // One invocation per pixel: what the volumes left behind becomes an answer.
+#include "../../core/constant_ids.h"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(constant_id = 20) const uint kForm = 1u;
+layout(constant_id = GNO_ID_FORM) const uint kForm = 1u;
 #define GNO_CLUSTER_FORM kForm
 #include "../../core/sample.glsl"
 #include "../bindings.glsl"
 #include "../merge.glsl"
-layout(set = 2, binding = 0, rgba32ui) uniform readonly uimage2D gnoSamples;
-layout(set = 2, binding = 1, r32ui) uniform writeonly uimage2D gnoVisibility;
+layout(set = 2, binding = 2, rgba32ui) uniform readonly uimage2D gnoSamples;
+layout(set = 2, binding = 3, r32ui) uniform writeonly uimage2D gnoVisibility;
 
 void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(pixel, GNO_CLUSTER_FRAME.size))) return;
     GnoViewSample s = gnoUnpackViewSample(imageLoad(gnoSamples, ivec2(pixel)));
     uint visibility = s.own == GNO_BACKGROUND ? GNO_VISIBILITY_BACKGROUND : GNO_VISIBILITY_FACING_AWAY;
-    if (s.own <= GNO_NO_CASTER) visibility = gnoClusterInShadow(pixel, s.position) ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT;
+    if (s.own <= GNO_NO_CASTER) visibility = gnoClusterAnswer(pixel, s.position);
     imageStore(gnoVisibility, ivec2(pixel), uvec4(visibility));
 }

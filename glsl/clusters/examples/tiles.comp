@@ -2,14 +2,16 @@
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // One work group per tile, one invocation per pixel of it: 64, or 32 in the flat form.
-layout(local_size_x_id = 10) in;
-layout(constant_id = 20) const uint kForm = 1u;
+#include "../../core/constant_ids.h"
+layout(local_size_x = 64, local_size_x_id = GNO_ID_GROUP_SIZE) in;
+layout(constant_id = GNO_ID_FORM) const uint kForm = 1u;
 #define GNO_CLUSTER_FORM kForm
-layout(constant_id = 21) const uint kWhat = 3u;
+layout(constant_id = GNO_ID_WHAT) const uint kWhat = 3u;
 #include "../../core/sample.glsl"
+#define GNO_CLUSTER_BUILDS GNO_CLUSTER_PASS_TILES
 #include "../bindings.glsl"
 #include "../build.glsl"
-layout(set = 2, binding = 0, rgba32ui) uniform readonly uimage2D gnoSamples;
+layout(set = 2, binding = 2, rgba32ui) uniform readonly uimage2D gnoSamples;
 
 void main() {
     uvec2 tile = gl_WorkGroupID.xy;

@@ -1,27 +1,30 @@
 // SPDX-License-Identifier: MIT
 // main() of the traversal, with and without casters that let light through (GNO_CLUSTER_LAYERS).
 // kPass 1 expands, 2 finishes what the first left. Any number of work groups.
+#include "../../core/constant_ids.h"
 layout(local_size_x = 32) in;
-layout(constant_id = 0) const uint kPrecision = 2u;
+layout(constant_id = GNO_ID_PRECISION) const uint kPrecision = 2u;
 #define GNO_PRECISION kPrecision
-layout(constant_id = 20) const uint kForm = 1u;
+layout(constant_id = GNO_ID_FORM) const uint kForm = 1u;
 #define GNO_CLUSTER_FORM kForm
-layout(constant_id = 22) const uint kPass = 1u;
+layout(constant_id = GNO_ID_PASS) const uint kPass = 1u;
 #include "../../core/bindings.glsl"
 #include "../../core/sample.glsl"
 #include "../../core/examples/frame.glsl"
+#define GNO_CLUSTER_BUILDS (GNO_CLUSTER_PASS_EXPAND | GNO_CLUSTER_PASS_FINISH)
 #include "../bindings.glsl"
-layout(set = 2, binding = 0, rgba32ui) uniform readonly uimage2D gnoSamples;
+layout(set = 2, binding = 2, rgba32ui) uniform readonly uimage2D gnoSamples;
 #define GNO_CLUSTER_LOAD_SAMPLE(pixel_) gnoUnpackViewSample(imageLoad(gnoSamples, pixel_))
 #if GNO_COUNTERS
-layout(set = 2, binding = 1, r32ui) uniform uimage2D gnoCounts;                    // samples tested, per pixel
-layout(set = 2, binding = 2, std430) buffer GnoExampleTotals { uint v[]; } gnoTotals;  // pairs of low and high word, see main()
-layout(set = 2, binding = 3, std430) buffer GnoExampleSteps { uint v[]; } gnoSteps;    // iterations of every job of this pass
+layout(set = 2, binding = 4, r32ui) uniform uimage2D gnoCounts;                    // samples tested, per pixel
+layout(set = 2, binding = 5, std430) buffer GnoExampleTotals { uint v[]; } gnoTotals;  // pairs of low and high word, see main()
+layout(set = 2, binding = 6, std430) buffer GnoExampleSteps { uint v[]; } gnoSteps;    // iterations of every job of this pass
 #define GNO_CLUSTER_ON_LEAF_TEST(pixel_) imageAtomicAdd(gnoCounts, ivec2(pixel_), 1u)
 #define GNO_CLUSTER_ON_JOB(job_) if (subgroupElect()) gnoSteps.v[job_] = gnoClusterSteps
 #endif
 #if GNO_CLUSTER_LAYERS
 #define GNO_MATERIAL_SET 3
+#define GNO_TRANSMITTANCE_ADDS 1
 #include "../../core/material_bindings.glsl"
 #include "../../core/transmittance.glsl"
 #include "../../core/transmittance_sum.glsl"

@@ -5,9 +5,9 @@
 #include "../bindings.glsl"
 #include "frame.glsl"
 layout(local_size_x = 64) in;
-layout(set = 2, binding = 0, std430) readonly buffer GnoExampleClosed { uint v[]; } gnoClosed;  // one bit per triangle
-layout(set = 2, binding = 1, std430) writeonly buffer GnoExampleStates { uint v[]; } gnoStates;
-layout(set = 2, binding = 2, std140) uniform GnoExamplePlanes { vec4 v[16]; } gnoCullPlanes;
+layout(set = 2, binding = 10, std430) readonly buffer GnoExampleClosed { uint v[]; } gnoClosed;  // one bit per triangle
+layout(set = 2, binding = 0, std430) writeonly buffer GnoExampleStates { uint v[]; } gnoStates;
+layout(set = 2, binding = 11, std140) uniform GnoExamplePlanes { vec4 v[16]; } gnoCullPlanes;
 #define GNO_LOAD_CULL_PLANE(index_) gnoCullPlanes.v[index_]
 #include "../caster_state.glsl"
 

@@ -6,5 +6,5 @@
 #include "../counters.glsl"
 #include "../sample.glsl"
 #include "frame.glsl"
-#define GNO_EXAMPLE_QUERY(s_) (s_.own == 0u)
+#define GNO_EXAMPLE_QUERY(s_) (s_.own == 0u ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT)
 #include "query_comp.glsl"

@@ -11,6 +11,7 @@ layout(push_constant) uniform GnoExamplePush {
     uint seed;     // insertion order
     uint cull;     // GNO_CULL_*
     uint planes;   // planes of the culling hull
+    uint number;   // what this pass is told besides: a row, a level, a digit (Pass::number of core/pass.hpp)
 } gnoPush;
 #define GNO_LIGHT gnoPush.light
 #endif

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 // Pulls casters from their buffer: draw 3 * count vertices, no vertex input.
 #include "../bindings.glsl"
-layout(set = 2, binding = 0, std140) uniform GnoExampleCamera { mat4 clipFromGrid; } gnoCamera;
+layout(set = 2, binding = 14, std140) uniform GnoExampleCamera { mat4 clipFromGrid; } gnoCamera;
 layout(location = 0) out vec3 gnoPosition;
 layout(location = 1) flat out uint gnoPrimitive;
 

@@ -6,8 +6,8 @@
 #include "../sample.glsl"
 #include "frame.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(set = 2, binding = 0, rgba32f) uniform readonly image2D gnoPositions;
-layout(set = 2, binding = 1, r32ui) uniform readonly uimage2D gnoPrimitives;
+layout(set = 2, binding = 12, rgba32f) uniform readonly image2D gnoPositions;
+layout(set = 2, binding = 13, r32ui) uniform readonly uimage2D gnoPrimitives;
 layout(set = 2, binding = 2, rgba32ui) uniform writeonly uimage2D gnoSamples;
 
 void main() {

@@ -1,9 +1,10 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Steps 4 and 6 for the casters with few cells. One invocation per caster.
+// Casters with few cells: counts them, and in a second dispatch (kStep) puts them into the pool. One invocation per caster.
 layout(local_size_x = 64) in;
 #include "../../core/permutation.glsl"
+#define GNO_FOREST_BUILDS (GNO_FOREST_PASS_COUNT | GNO_FOREST_PASS_EMIT)
 #include "frame.glsl"
 
 void main() {

@@ -1,10 +1,10 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Steps 3, 4 and 6 for the casters with some cells: one invocation per caster.
+// Casters with some cells: a dispatch each (kStep) covers cells, counts pairs, and puts them into the pool. One invocation per caster.
 layout(local_size_x = 64) in;
 #include "../../core/permutation.glsl"
-#include "frame.glsl"
+#include "assign.glsl"
 
 void main() {
     uint count = gnoForestHeader.v.some;

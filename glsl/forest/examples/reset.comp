@@ -3,11 +3,12 @@
 // SPDX-License-Identifier: MIT
 // Before all: empty cells. One invocation per cell.
 layout(local_size_x = 64) in;
+#define GNO_FOREST_BUILDS GNO_FOREST_PASS_RESET
+#include "../../core/examples/frame.glsl"
 #include "../bindings.glsl"
+#include "../assign.glsl"
 
 void main() {
     uint cell = gl_GlobalInvocationID.x;
-    if (cell == 0u) gnoForestHeader.v = GnoForestHeader(0u, 1u, 1u, 0u, 0u, 1u, 1u, 0u, 0u, 1u, 1u, 0u, 0u);
-    if (cell < gnoCellCount(gnoForestGrid.v.resolution, gnoForestGrid.v.faces))
-        gnoForestCells.v[cell] = GnoForestCell(0u, GNO_FOREST_NONE, 0u, GNO_FOREST_NONE);
+    if (cell < gnoCellCount(gnoForestGrid.v.resolution, gnoForestGrid.v.faces)) gnoForestReset(cell);
 }

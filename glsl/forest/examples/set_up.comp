@@ -2,10 +2,11 @@
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // Planes, where they are kept, and empty links of each pair. One invocation per pair.
+#include "../../core/constant_ids.h"
 layout(local_size_x = 64) in;
-layout(constant_id = 0) const uint kPrecision = 2u;
-layout(constant_id = 3) const uint kSlab = 0u;
-layout(constant_id = 4) const uint kStorePlanes = 1u;
+layout(constant_id = GNO_ID_PRECISION) const uint kPrecision = 2u;
+layout(constant_id = GNO_ID_SLAB) const uint kSlab = 0u;
+layout(constant_id = GNO_ID_STORE_PLANES) const uint kStorePlanes = 1u;
 #define GNO_PRECISION kPrecision
 #define GNO_TOP_BIND_SLABS 1
 #define GNO_TOP_SLAB kSlab
@@ -14,6 +15,7 @@ layout(constant_id = 4) const uint kStorePlanes = 1u;
 #include "../../core/caster_state.glsl"
 #include "../../core/examples/frame.glsl"
 #define GNO_FOREST_TREES 1
+#define GNO_TOP_BUILDS GNO_TOP_PASS_SET_UP
 #include "../bindings.glsl"
 #include "../../top/bindings.glsl"
 #include "../../top/build.glsl"
@@ -21,5 +23,8 @@ layout(set = 2, binding = 0, std430) readonly buffer GnoExampleStates { uint v[]
 
 void main() {
     uint block = gl_GlobalInvocationID.x;
-    if (block < min(gnoForestHeader.v.pairs, GNO_FOREST_CAPACITY)) gnoTopSetUp(block, gnoCasterFacing(gnoStates.v[GNO_TOP_CASTER_OF(block)]));
+    uint state = gnoForestState(gnoForestHeader.v, GNO_FOREST_CAPACITY, GNO_PRECISION);
+    uint count = state == gnoState(GNO_PRECISION) ? gnoForestHeader.v.pairs : 0u;
+    if (block == 0u) gnoTopBegin(count, state);
+    if (block < count) gnoTopSetUp(block, gnoCasterFacing(gnoStates.v[GNO_TOP_CASTER_OF(block)]));
 }

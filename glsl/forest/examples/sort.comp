@@ -1,14 +1,16 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Step 2: casters by the number of their cells. One invocation per caster.
+// Casters by the number of their cells. One invocation per caster.
 layout(local_size_x = 64) in;
+#define GNO_FOREST_BUILDS GNO_FOREST_PASS_SORT
 #include "frame.glsl"
 
 void main() {
     uint caster = gl_GlobalInvocationID.x;
     if (caster >= gnoPush.count) return;
-    if (gnoCasterFacing(gnoStates.v[caster]) == 0) {
+    bool reset = gnoForestHeader.v.state == gnoState(GNO_STATE_ANY);  // or the counters below may be any number
+    if (!reset || gnoCasterFacing(gnoStates.v[caster]) == 0) {
         gnoForestNone(caster);
         return;
     }

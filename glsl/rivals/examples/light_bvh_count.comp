@@ -1,7 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Step 1: one invocation per triangle.
+// How many references each triangle has. One invocation per triangle.
+#define GNO_LIGHT_BVH_BUILDS GNO_LIGHT_BVH_PASS_COUNT
 #include "light_bvh_frame.glsl"
 layout(set = 2, binding = 0, std430) readonly buffer GnoExampleStates { uint v[]; } gnoStates;
 

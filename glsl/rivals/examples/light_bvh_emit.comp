@@ -1,7 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Step 3: one invocation per triangle.
+// Writes the references of each triangle, and their keys. One invocation per triangle.
+#define GNO_LIGHT_BVH_BUILDS GNO_LIGHT_BVH_PASS_EMIT
 #include "light_bvh_frame.glsl"
 layout(set = 2, binding = 0, std430) readonly buffer GnoExampleStates { uint v[]; } gnoStates;
 

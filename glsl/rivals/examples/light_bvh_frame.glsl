@@ -5,9 +5,7 @@
 #include "../../core/bindings.glsl"
 #include "../../core/caster_state.glsl"
 #include "../../core/examples/frame.glsl"
-#define GNO_LIGHT_BVH_BUILD 1
 #include "../light_bvh_bindings.glsl"
-#define GNO_PREFIX_WORDS gnoLightBvhSums.v
 #include "../light_bvh_build.glsl"
 layout(local_size_x = 64) in;
 #endif

@@ -1,12 +1,13 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-layout(constant_id = 0) const uint kPrecision = 2u;
+#include "../../core/constant_ids.h"
+layout(constant_id = GNO_ID_PRECISION) const uint kPrecision = 2u;
 #define GNO_PRECISION kPrecision
 #include "../../core/bindings.glsl"
 #include "../../core/sample.glsl"
 #include "../../core/examples/frame.glsl"
 #include "../light_bvh_bindings.glsl"
 #include "../light_bvh_query.glsl"
-#define GNO_EXAMPLE_QUERY(s_) gnoLightBvhQueryStackless(s_)
+#define GNO_EXAMPLE_QUERY(s_) gnoLightBvhStacklessAnswer(s_)
 #include "../../core/examples/query_comp.glsl"

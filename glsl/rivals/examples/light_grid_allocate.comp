@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 // Where the items of each list go. One invocation per list.
 layout(local_size_x = 64) in;
+#define GNO_LIGHT_GRID_BUILDS GNO_LIGHT_GRID_PASS_ALLOCATE
 #include "light_grid_frame.glsl"
 
 void main() {

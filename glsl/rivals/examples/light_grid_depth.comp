@@ -4,8 +4,9 @@
 // How far the view samples of each sub cell lie. One invocation per pixel.
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "../../core/sample.glsl"
+#define GNO_LIGHT_GRID_BUILDS GNO_LIGHT_GRID_PASS_DEPTH
 #include "light_grid_frame.glsl"
-layout(set = 2, binding = 1, rgba32ui) uniform readonly uimage2D gnoSamples;
+layout(set = 2, binding = 2, rgba32ui) uniform readonly uimage2D gnoSamples;
 
 void main() {
     if (any(greaterThanEqual(gl_GlobalInvocationID.xy, gnoPush.size))) return;

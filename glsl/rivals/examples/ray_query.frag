@@ -6,5 +6,5 @@
 #include "../../core/examples/frame.glsl"
 #include "../ray_query_bindings.glsl"
 #include "../ray_query.glsl"
-#define GNO_EXAMPLE_QUERY(s_) gnoRayQueryInShadow(s_)
+#define GNO_EXAMPLE_QUERY(s_) gnoRayQueryAnswer(s_)
 #include "../../core/examples/query_frag.glsl"

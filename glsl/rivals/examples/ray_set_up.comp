@@ -7,7 +7,7 @@
 #include "../ray_query_index.glsl"
 layout(local_size_x = 64) in;
 layout(set = 2, binding = 0, std430) readonly buffer GnoExampleStates { uint v[]; } gnoStates;
-layout(set = 2, binding = 1, std430) writeonly buffer GnoExampleIndices { uint v[]; } gnoRayIndices;  // 3 words per caster
+layout(set = 2, binding = 7, std430) writeonly buffer GnoExampleIndices { uint v[]; } gnoRayIndices;  // 3 words per caster
 
 void main() {
     uint caster = gl_GlobalInvocationID.x;

@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: MIT
 // Pass 2, once per view: draw 3 * casters vertices of instance number `view` into that view's layer; no vertex input, no fragment shader, clear 0,
 // greater passes.
-layout(constant_id = 0) const uint kFaces = 0u;  // GNO_SHADOW_MAP_BOTH ...
+#include "../../core/constant_ids.h"
+layout(constant_id = GNO_ID_FACES) const uint kFaces = 0u;  // GNO_SHADOW_MAP_BOTH ...
 #include "../../core/bindings.glsl"
 #include "../../core/examples/frame.glsl"
 #include "../bindings.glsl"

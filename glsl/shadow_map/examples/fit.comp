@@ -8,7 +8,7 @@
 #include "../bindings.glsl"
 #include "../fit.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(set = 2, binding = 0, rgba32ui) uniform readonly uimage2D gnoSamples;
+layout(set = 2, binding = 2, rgba32ui) uniform readonly uimage2D gnoSamples;
 
 void main() {
     if (any(greaterThanEqual(gl_GlobalInvocationID.xy, gnoPush.size))) return;

@@ -8,5 +8,5 @@
 #include "../bindings.glsl"
 #include "../map_bindings.glsl"
 #include "../query.glsl"
-#define GNO_EXAMPLE_QUERY(s_) gnoShadowMapQuery(s_)
+#define GNO_EXAMPLE_QUERY(s_) gnoShadowMapAnswer(s_)
 #include "../../core/examples/query_comp.glsl"

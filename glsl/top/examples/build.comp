@@ -2,16 +2,18 @@
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // Dispatch 2 of a TOP tree: one invocation per caster, in random order.
-layout(local_size_x_id = 10) in;
-layout(constant_id = 0) const uint kPrecision = 2u;
+#include "../../core/constant_ids.h"
+layout(local_size_x = 64, local_size_x_id = GNO_ID_GROUP_SIZE) in;
+layout(constant_id = GNO_ID_PRECISION) const uint kPrecision = 2u;
 #define GNO_PRECISION kPrecision
 #include "../../core/bindings.glsl"
 #include "../../core/examples/frame.glsl"
 #include "../../core/permutation.glsl"
+#define GNO_TOP_BUILDS GNO_TOP_PASS_BUILD
 #include "../bindings.glsl"
 #include "../build.glsl"
 #if GNO_COUNTERS
-layout(set = 2, binding = 0, std430) buffer GnoExampleTotals { uint v[]; } gnoTotals;  // steps (low, high word), intersections, dropped, inserted
+layout(set = 2, binding = 5, std430) buffer GnoExampleTotals { uint v[]; } gnoTotals;  // steps (low, high word), intersections, dropped, inserted
 #endif
 
 void main() {

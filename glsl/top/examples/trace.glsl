@@ -14,8 +14,8 @@ const uint GNO_TOP_TRACE_POP = 4u;           // from the stack: an intersection 
 const uint GNO_TOP_TRACE_ANCESTOR = 5u;      // back by an ancestor link
 const uint GNO_TOP_TRACE_RESTART = 6u;       // the root again, without a stack, because the stack was full
 
-layout(set = 2, binding = 3, std430) buffer GnoTopVisitBuffer { uint v[]; } gnoTopVisits;  // per node; atomics
-layout(set = 2, binding = 4, std430) buffer GnoTopTraceBuffer {
+layout(set = 2, binding = 8, std430) buffer GnoTopVisitBuffer { uint v[]; } gnoTopVisits;  // per node; atomics
+layout(set = 2, binding = 9, std430) buffer GnoTopTraceBuffer {
     uvec2 pixel;    // the one that is logged
     uint count;     // nodes it visited; written by its invocation alone
     uint capacity;  // entries of v
