@@ -3,16 +3,26 @@
 # Does nothing, and asks for no rights, when everything is there. GNOMON_NO_INSTALL=1 leaves the machine alone.
 set -euo pipefail
 
+# What `gnomon` needs to make a picture. GNOMON_MINIMAL=1: only this; no oracle, no tests, no charts.
 gnomon_packages=(
   g++ cmake ninja-build
-  libvulkan-dev vulkan-validationlayers mesa-vulkan-drivers
+  libvulkan-dev mesa-vulkan-drivers
   glslang-tools spirv-tools libspirv-cross-c-shared-dev
   libglm-dev libtinygltf-dev libstb-dev nlohmann-json3-dev
   libopenexr-dev libcli11-dev libfmt-dev
-  libgtest-dev libbenchmark-dev libcgal-dev libgmp-dev libmpfr-dev libembree-dev libtbb-dev
-  libvtk9-dev xvfb xauth
-  chromium chromium-driver python3-selenium fonts-dejavu-core parallel
 )
+gnomon_cmake_options=(-DGNOMON_VALIDATION=OFF -DGNOMON_VIZ=OFF)
+gnomon_formatter=clang-format-14   # the one of Debian 12: another version formats otherwise
+if [ "${GNOMON_MINIMAL:-0}" != 1 ]; then
+  gnomon_packages+=(
+    vulkan-validationlayers
+    libgtest-dev libbenchmark-dev libcgal-dev libgmp-dev libmpfr-dev libembree-dev libtbb-dev
+    libvtk9-dev xvfb xauth
+    chromium chromium-driver python3-selenium fonts-dejavu-core parallel
+    "$gnomon_formatter"
+  )
+  gnomon_cmake_options=(-DGNOMON_VALIDATION=ON -DGNOMON_VIZ=ON)   # a build folder remembers what it was last told
+fi
 gnomon_oldest_mesa=24.1   # before it, lavapipe gives silently wrong results (README, "Driver")
 
 gnomon_as_root() {
@@ -48,7 +58,8 @@ gnomon_install_lavapipe() {
     return 1
   fi
   echo "setup: Mesa $version is too old, installing the one of $codename-backports"
-  printf 'Types: deb\nURIs: %s\nSuites: %s-backports\nComponents: main\nSigned-By: /usr/share/keyrings/debian-archive-keyring.gpg\n' "$mirror" "$codename" |
+  printf '%s\n' 'Types: deb' "URIs: $mirror" "Suites: $codename-backports" 'Components: main' \
+    'Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg' |
     gnomon_as_root tee "/etc/apt/sources.list.d/gnomon-backports.sources" >/dev/null
   gnomon_apt update
   gnomon_apt install --no-install-recommends -t "$codename-backports" mesa-vulkan-drivers

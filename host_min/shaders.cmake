@@ -1,6 +1,6 @@
 # gnomon_embed_shaders(TARGET): makes the static library TARGET: compiles every example of glsl/ twice (plain, and NAME.counters with
-# GNO_COUNTERS=1), checks it with spirv-val,
-# and holds all of it as kEmbeddedShaders (host_min/vulkan/shader.cpp). Nested includes are tracked by dependency files.
+# GNO_COUNTERS=1), checks it with spirv-val, and holds all of it as kEmbeddedShaders (host_min/vulkan/shader.cpp). Nested includes are tracked by
+# dependency files.
 find_program(GLSLANG glslangValidator REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 
@@ -29,7 +29,8 @@ function(gnomon_embed_shaders target)
         DEPENDS ${root}/${source} DEPFILE ${output}.d COMMENT "glsl/${name}" VERBATIM)
       list(APPEND outputs ${output})
       string(APPEND assembly
-        "    .balign 4\n    .globl gnomon_spirv_${index}, gnomon_spirv_${index}_end\ngnomon_spirv_${index}:\n    .incbin \"${output}\"\ngnomon_spirv_${index}_end:\n")
+        "    .balign 4\n    .globl gnomon_spirv_${index}, gnomon_spirv_${index}_end\n"
+        "gnomon_spirv_${index}:\n    .incbin \"${output}\"\ngnomon_spirv_${index}_end:\n")
       string(APPEND externs "extern const uint32_t gnomon_spirv_${index}[], gnomon_spirv_${index}_end[];\n")
       string(APPEND table "    {\"${name}\", gnomon_spirv_${index}, gnomon_spirv_${index}_end},\n")
       math(EXPR index "${index} + 1")

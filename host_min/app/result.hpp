@@ -25,7 +25,8 @@ std::vector<OracleSample> oracleSamples(const FrameInputs& inputs);
 /// `withSums`: some technique answers for casters that are not opaque. `progress` as in Oracle::ask.
 OracleAnswer askOracle(Oracle& oracle, const FrameInputs& inputs, bool withSums, const std::function<void(double)>& progress);
 
-/// With sums, they have to be equal as well; then a wrong sample is a leak where too much light arrives, and false dark elsewhere. `wrongPixels`:
+/// With sums, they have to be equal as well; then a wrong sample is a leak where too much light arrives, and false dark elsewhere. A sample
+/// without an answer (GNO_VISIBILITY_UNKNOWN) is wrong, and neither. `wrongPixels`:
 /// gets the indices of their pixels, in ascending order.
 RecordCheck compare(const TechniqueResult& result, const FrameInputs& inputs, const OracleAnswer& answer,
                     std::vector<uint32_t>* wrongPixels = nullptr);

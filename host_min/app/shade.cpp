@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 
 #include "host_min/app/effects.hpp"
 #include "host_min/app/outputs.hpp"
@@ -71,6 +72,7 @@ bool shade(const ShadeOptions& options) {
     checkOutputs(options);
     PassCache passes(device);
     std::vector<Record> records;
+    std::map<uint32_t, StructureCache> structuresOf;  // per light; they outlive frames
     if (!leftOut.empty()) fmt::print("{}\n", leftOut);
 
     for (uint32_t number = options.firstFrame; number <= options.lastFrame; ++number) {
@@ -97,7 +99,8 @@ bool shade(const ShadeOptions& options) {
                     progress.show("oracle", fraction);
                 });
             }
-            StructureCache structures;
+            StructureCache& structures = structuresOf[light];
+            structures.nextFrame();
             FrameOutputs outputs(options, inputs, file, number, light);
             const size_t firstRecord = records.size();
             for (Technique* technique : chosen) {

@@ -144,7 +144,12 @@ void FrameInputs::setLight(glm::vec4 light, Cull cull) {
 }
 
 ExamplePush FrameInputs::push(uint32_t seed) const {
-    return {light_, viewer(), {width_, height_}, triangleCount(), seed, uint32_t(cull_), planeCount_};
+    return {light_, viewer(), {width_, height_}, triangleCount(), seed, uint32_t(cull_), planeCount_, 0};
+}
+
+std::vector<Binding> FrameInputs::withCasters(std::vector<Binding> others) const {
+    others.insert(others.end(), {{"gnoCasters", &casters_}, {"gnoStates", &states_}, {"gnoSamples", &samples_}});
+    return others;
 }
 
 const MaterialBuffers& FrameInputs::materials() const {

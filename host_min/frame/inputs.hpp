@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "glsl/core/shared_types.h"
+#include "host_min/frame/example_push.hpp"
 #include "host_min/frame/materials.hpp"
 #include "host_min/oracle.hpp"
 #include "host_min/scene/scene.hpp"
@@ -17,14 +18,6 @@
 namespace gno::host {
 
 enum class Cull : uint32_t { none = 0, front = 1, hull = 2, all = 3 };  ///< GNO_CULL_* bits of core/caster_state.glsl
-
-/// The push block of glsl/core/examples/frame.glsl.
-struct ExamplePush {
-    glm::vec4 light, viewer;
-    glm::uvec2 size;
-    uint32_t count, seed, cull, planes;
-};
-static_assert(sizeof(ExamplePush) == 56);
 
 class FrameInputs {
 public:
@@ -53,7 +46,10 @@ public:
     [[nodiscard]] const Image& positions() const { return positions_; }
     [[nodiscard]] const Image& normals() const { return normals_; }
     [[nodiscard]] const Image& primitives() const { return primitives_; }
+    [[nodiscard]] const Image& depth() const { return depth_; }
     [[nodiscard]] ExamplePush push(uint32_t seed = 0) const;
+    /// Casters, states and samples by their names in the shaders, behind `others`.
+    [[nodiscard]] std::vector<Binding> withCasters(std::vector<Binding> others) const;
 
     /// Some casters are alpha-tested or coloured; without them nobody makes buffers or pipelines for that.
     [[nodiscard]] bool hasMaterials() const { return !frame_.surfaces.empty(); }

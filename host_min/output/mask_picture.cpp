@@ -22,6 +22,8 @@ glm::u8vec3 maskColor(uint8_t visibility) {
             return {72, 72, 72};
         case GNO_VISIBILITY_BACKGROUND:
             return {46, 62, 96};
+        case GNO_VISIBILITY_UNKNOWN:
+            return kUnknownColor;
         default:
             return {255, 0, 255};  // a shader wrote what is no visibility
     }
@@ -32,6 +34,7 @@ glm::u8vec3 differenceColor(uint8_t got, uint8_t want) {
         const glm::u8vec3 full = maskColor(want);
         return {full.x / 4 + 12, full.y / 4 + 12, full.z / 4 + 12};
     }
+    if (got == GNO_VISIBILITY_UNKNOWN) return maskColor(got);
     if (got == GNO_VISIBILITY_LIT && want == GNO_VISIBILITY_SHADOW) return {255, 32, 32};
     if (got == GNO_VISIBILITY_SHADOW && want == GNO_VISIBILITY_LIT) return {255, 224, 0};
     return {255, 0, 255};

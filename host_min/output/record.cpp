@@ -39,7 +39,7 @@ ordered_json countersJson(const RecordCounters& counters) {
 
 bool isBuildPass(const std::string& name) {
     const std::string framed = "_" + name + "_";
-    return framed.find("_build_") != std::string::npos || framed.find("_setup_") != std::string::npos;
+    return framed.find("_build_") != std::string::npos || framed.find("_setup_") != std::string::npos || name == "host_wait";
 }
 
 double Record::totalMs() const {
@@ -63,7 +63,7 @@ double Record::queryMs() const {
 ordered_json toJson(const Record& record) {
     requireFinite(record.settings);
     ordered_json json;
-    json["schema"] = 1;
+    json["schema"] = 2;
     json["scene"] = record.scene;
     json["frame"] = record.frame;
     json["light"] = record.light;
@@ -76,6 +76,7 @@ ordered_json toJson(const Record& record) {
     json["casters"] = record.casters;
     json["samples"] = record.samples;
     json["in_shadow"] = record.inShadow;
+    json["unknown"] = record.unknown;
     json["passes"] = ordered_json::array();
     for (const RecordPass& pass : record.passes) json["passes"].push_back({{"name", pass.name}, {"ms", time(pass.ms)}});
     json["total_ms"] = time(record.totalMs());
@@ -83,6 +84,8 @@ ordered_json toJson(const Record& record) {
     json["bytes"] = ordered_json::object();
     append(json["bytes"], record.bytes);
     json["counters"] = countersJson(record.counters);
+    json["host_waits"] = record.hostWaits;
+    json["reruns"] = record.reruns;
     if (record.check) {
         const RecordCheck& check = *record.check;
         json["check"] = {{"checked", check.checked},      {"wrong", check.wrong}, {"leaks", check.leaks},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The record: what one frame, light, technique and precision cost and gave. Its keys are a contract (schema 1, README "The record").
+// The record: what one frame, light, technique and precision cost and gave. Its keys are a contract (schema 2, README "The record").
 #pragma once
 #include <array>
 #include <cstdint>
@@ -49,10 +49,13 @@ struct Record {
     uint64_t triangles = 0;  ///< in the scene
     uint64_t casters = 0;    ///< left after culling
     uint64_t samples = 0, inShadow = 0;
+    uint64_t unknown = 0;            ///< samples that the technique had no answer for: a structure was not complete
     std::vector<RecordPass> passes;  ///< total_ms is their sum
     std::optional<double> floorMs;   ///< time of a bare full-screen pass, where it was measured
     NamedNumbers bytes;
     RecordCounters counters;
+    uint64_t hostWaits = 0;            ///< within a frame: the host waits for the device and goes on with what it read; their time is in the passes
+    uint64_t reruns = 0;               ///< frames thrown away because a pool was too small
     std::optional<RecordCheck> check;  ///< with --check only
     std::vector<std::string> effects;
 
@@ -62,7 +65,7 @@ struct Record {
     [[nodiscard]] double totalMs() const;
 };
 
-/// True for what prepares a structure: a pass called "build" or "setup", or with "build" or "setup" as a part between underscores.
+/// True for what prepares a structure: a pass called "build" or "setup", or with "build" or "setup" as a part between underscores; and host_wait.
 [[nodiscard]] bool isBuildPass(const std::string& name);
 
 /// The object of the contract, keys in its order. A time that is not finite throws std::invalid_argument; text that is not UTF-8 is repaired.

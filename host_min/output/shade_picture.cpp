@@ -72,6 +72,10 @@ Picture shadePicture(const ShadeInputs& in) {
                 picture.at(x, y) = background;
                 continue;
             }
+            if (visibility == GNO_VISIBILITY_UNKNOWN) {
+                picture.at(x, y) = kUnknownColor;
+                continue;
+            }
             const glm::vec3& position = in.position.at(x, y);
             const glm::vec3& normal = in.normal.at(x, y);
             const float sky = 0.5f + 0.5f * glm::dot(normal, in.up);

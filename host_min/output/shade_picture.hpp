@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pictures of one frame: shaded, visibility mask, difference of two masks, several side by side.
-// A visibility raster holds GNO_VISIBILITY_* of glsl/core/shared_types.h: 0 shadow, 1 lit, 2 facing away from the light, 3 background.
+// A visibility raster holds GNO_VISIBILITY_* of glsl/core/shared_types.h: 0 shadow, 1 lit, 2 facing away from the light, 3 background,
+// 4 unknown.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -11,6 +12,8 @@
 #include "host_min/output/image.hpp"
 
 namespace gno::host {
+
+inline constexpr glm::u8vec3 kUnknownColor{255, 128, 0};  ///< a sample that the technique had no answer for, in every picture
 
 /// What the pixels show. All rasters have the size of `visibility`; background pixels may hold anything.
 struct ShadeInputs {
@@ -25,13 +28,14 @@ struct ShadeInputs {
     const Raster<glm::vec3>* passing = nullptr;  ///< share of the light that arrives where the visibility says lit, [0, 1]; null: all of it
 };
 
-/// Lambert's law without fall-off, light from sky and ground, background a soft gradient.
+/// Lambert's law without fall-off, light from sky and ground, background a soft gradient. Unknown samples are orange.
 [[nodiscard]] Picture shadePicture(const ShadeInputs& inputs);
 
-/// White: lit, black: in shadow, dark grey: facing away, dark blue: background.
+/// White: lit, black: in shadow, dark grey: facing away, dark blue: background, orange: unknown; magenta: no visibility.
 [[nodiscard]] Picture maskPicture(const Raster<uint8_t>& visibility);
 
-/// Both have one size. Equal pixels: the mask, dimmed. Red: leak (got lit, want shadow). Yellow: false dark (got shadow, want lit). Magenta: else.
+/// Both have one size. Equal pixels: the mask, dimmed. Red: leak (got lit, want shadow). Yellow: false dark (got shadow, want lit).
+/// Orange: got unknown. Magenta: else.
 [[nodiscard]] Picture differencePicture(const Raster<uint8_t>& got, const Raster<uint8_t>& want);
 
 struct MaskDifference {

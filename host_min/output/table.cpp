@@ -22,7 +22,11 @@ bool anyCheck(std::span<const Record> records) {
     return std::any_of(records.begin(), records.end(), [](const Record& record) { return record.check.has_value(); });
 }
 
-std::vector<std::string> rowOf(const Record& record, double fastest, bool withCheck) {
+bool anyUnknown(std::span<const Record> records) {
+    return std::any_of(records.begin(), records.end(), [](const Record& record) { return record.unknown > 0; });
+}
+
+std::vector<std::string> rowOf(const Record& record, double fastest, bool withUnknown, bool withCheck) {
     const RecordCounters& counters = record.counters;
     const auto samples = static_cast<double>(record.samples);
     const double total = record.totalMs();
@@ -38,6 +42,7 @@ std::vector<std::string> rowOf(const Record& record, double fastest, bool withCh
                                     fmt::format("{:.2f}", total),
                                     ratio(total, fastest, "{:.2f}"),
                                     ratio(total, record.floorMs.value_or(0), "{:.1f}")};
+    if (withUnknown) row.push_back(std::to_string(record.unknown));
     if (withCheck) {
         const auto add = [&](uint64_t number) { row.push_back(record.check ? std::to_string(number) : "-"); };
         const RecordCheck check = record.check.value_or(RecordCheck{});
@@ -50,6 +55,7 @@ std::vector<std::string> rowOf(const Record& record, double fastest, bool withCh
 
 const char* colorOf(const std::vector<std::string>& names, std::size_t column, const std::string& cell) {
     if (names[column] == "x fastest" && cell == "1.00") return kGreen;
+    if (names[column] == "unknown" && cell != "0") return kRed;
     if (names[column] == "wrong" && cell != "-") return cell == "0" ? kGreen : kRed;
     return nullptr;
 }
@@ -75,14 +81,15 @@ void appendRows(std::string& text, const std::vector<std::vector<std::string>>& 
 }  // namespace
 
 std::vector<std::vector<std::string>> tableCells(std::span<const Record> records) {
-    const bool withCheck = anyCheck(records);
+    const bool withUnknown = anyUnknown(records), withCheck = anyCheck(records);
     std::vector<std::vector<std::string>> cells = {{"technique", "precision", "casters", "in shadow %", "visited/sample", "max stack", "overflows",
                                                     "build ms", "query ms", "total ms", "x fastest", "x floor"}};
+    if (withUnknown) cells[0].push_back("unknown");
     if (withCheck) cells[0].insert(cells[0].end(), {"wrong", "leaks", "false dark"});
     double fastest = 0;
     for (const Record& record : records)
         if (const double total = record.totalMs(); total > 0 && (fastest == 0 || total < fastest)) fastest = total;
-    for (const Record& record : records) cells.push_back(rowOf(record, fastest, withCheck));
+    for (const Record& record : records) cells.push_back(rowOf(record, fastest, withUnknown, withCheck));
     return cells;
 }
 

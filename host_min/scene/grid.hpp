@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The scene's grid: every position that a technique or the oracle sees is an fp32 number in [-1, 1] and a multiple of 2^-40.
-// Snapping happens once, in double, before anything else looks at a position (README "What in shadow means").
+// The scene's grid in GLM's types; what it is and how positions get onto it stands in glsl/core/grid.hpp.
 #pragma once
 #include <glm/glm.hpp>
 
+#include "glsl/core/grid.hpp"
+
 namespace gno::host {
 
-inline constexpr int kGridBits = 40;  ///< positions are multiples of 2^-kGridBits
+using gno::kGridBits;
+using gno::snapCoordinate;
 
 /// grid position = (world position - centre) * 2^-exponent, rounded to fp32 and to multiples of 2^-kGridBits.
 struct Grid {
@@ -21,10 +23,8 @@ struct Grid {
     [[nodiscard]] double scale() const;                       ///< 2^-exponent, grid units per world unit
 };
 
-/// One coordinate (any finite double in [-2, 2]) to the nearest fp32 multiple of 2^-kGridBits.
-float snapCoordinate(double value);
-
-/// A direction of any length but zero to its own power-of-two grid: largest component in [0.5, 1], multiples of 2^-kGridBits.
+/// A direction of any length but zero to its own power-of-two grid: largest component in [0.5, 1], multiples of 2^-kGridBits. Throws WorkError for
+/// zero.
 glm::vec3 snapDirection(glm::dvec3 direction);
 
 }  // namespace gno::host

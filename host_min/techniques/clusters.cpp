@@ -6,18 +6,15 @@
 #include <algorithm>
 #include <numeric>
 
-#include "host_min/error.hpp"
 #include "host_min/techniques/cluster_hierarchy.hpp"
-#include "host_min/techniques/measure.hpp"
 
 namespace gno::host {
 namespace {
 
-constexpr uint32_t kPoison = 0xDEADBEEFu;  // a shader that writes nothing must not look right
-constexpr size_t kLargestJobs = 1024;      // of figure 7
+constexpr size_t kLargestJobs = 1024;  // of figure 7
 
-uint32_t formByName(const std::string& word) {
-    return word == "implicit" ? GNO_CLUSTER_IMPLICIT : word == "explicit" ? GNO_CLUSTER_EXPLICIT : GNO_CLUSTER_COMPACT;
+ClusterForm formByName(const std::string& word) {
+    return word == "implicit" ? ClusterForm::implicitBounds : word == "explicit" ? ClusterForm::explicitBounds : ClusterForm::compact;
 }
 
 /// Iterations of the jobs of one pass: the average, the largest, and the average of the 1,024 largest.
@@ -67,38 +64,46 @@ public:
 
     const TechniqueInfo& info() const override { return info_; }
 
-    TechniqueResult run(const FrameInputs& inputs, StructureCache&, const Settings& settings, const RunOptions& options) override {
-        const std::string missing = missingFor(info_, inputs.device().facts());
-        if (!missing.empty()) throw InputError(fmt::format("technique {}: the device lacks {}", info_.name, missing));
+    std::string structureKey(const FrameInputs& inputs, const Settings& settings, const RunOptions& options) const override {
+        const ClusterOptions o = optionsOf(inputs, settings, options);
+        return fmt::format("clusters {} {} {} {} {} {} {}", uint32_t(o.form), o.split, o.extraPlanes, o.groups, o.jobCapacity, o.boxCapacity,
+                           o.layers);
+    }
+
+    std::unique_ptr<Structure> makeStructure(const FrameInputs& inputs, const Settings& settings, const RunOptions& options) const override {
+        return std::make_unique<ClusterHierarchy>(optionsOf(inputs, settings, options));
+    }
+
+    Query query(const Structure& structure, const FrameInputs& inputs, const Settings&, const RunOptions&) const override {
+        const auto& hierarchy = dynamic_cast<const ClusterHierarchy&>(structure);
+        return {clusterQueryPasses(inputs.width(), inputs.height(), hierarchy.options()), hierarchy.bindings(), false};
+    }
+
+    void read(const Structure& structure, const FrameInputs&, const Settings&, const RunOptions& options, TechniqueResult& result) const override {
+        const auto& hierarchy = dynamic_cast<const ClusterHierarchy&>(structure);
+        if (options.counters) count(hierarchy, result);
+        result.bytes = hierarchy.bytes();
+        if (hierarchy.options().layers) result.sums = hierarchy.sums();
+        if (options.dump) result.dump = hierarchy.dump();
+    }
+
+private:
+    ClusterOptions optionsOf(const FrameInputs& inputs, const Settings& settings, const RunOptions& options) const {
         ClusterOptions choice;
-        choice.precision = options.precision;
-        choice.form = flat_ ? GNO_CLUSTER_FLAT : formByName(settings.word("bounds"));
+        choice.precision = uint32_t(options.precision);
+        choice.form = flat_ ? ClusterForm::flat : formByName(settings.word("bounds"));
         if (!flat_) choice.boxCapacity = settings.number("boxes");
         choice.split = settings.word("split") == "off" ? 0 : uint32_t(settings.word("split")[0] - '0');
         choice.jobCapacity = settings.number("jobs");
         choice.extraPlanes = settings.word("planes") == "extra";
         choice.groups = settings.number("groups");
         choice.layers = inputs.hasMaterials() && settings.word("materials") == "on";
-        ClusterHierarchy hierarchy(inputs, choice);
-
-        Image visibility(inputs.device(), inputs.width(), inputs.height(), vk::Format::eR32Uint);
-        const auto poison = [&] { visibility.clear(vk::ClearColorValue(kPoison, kPoison, kPoison, kPoison)); };
-        poison();
-        TechniqueResult result;
-        if (options.counters) count(hierarchy.count(visibility), hierarchy.layout(), choice, result);
-        poison();
-        result.passes.push_back({inputs.casterSetUp().name, inputs.casterSetUp().ms});
-        for (const PassTime& pass : measure(inputs.device(), options.repeat, options.warmUp, [&](Recording& r) { hierarchy.record(r, visibility); }))
-            result.passes.push_back({pass.name, pass.ms});
-        result.bytes = hierarchy.bytes();
-        result.visibility = visibility.downloadAs<uint32_t>();
-        if (choice.layers) result.sums = hierarchy.sums();
-        if (options.dump) result.dump = hierarchy.dump();
-        return result;
+        return choice;
     }
 
-private:
-    static void count(const ClusterCounters& counters, const GnoClusterLayout& layout, const ClusterOptions& choice, TechniqueResult& result) {
+    static void count(const ClusterHierarchy& hierarchy, TechniqueResult& result) {
+        const ClusterCounters& counters = hierarchy.counters();
+        const ClusterOptions& choice = hierarchy.options();
         result.sampleTests = counters.testsOfPixel;
         RecordCounters& totals = result.counters;
         totals.visitedNodes = counters.nodeTests;
@@ -107,8 +112,8 @@ private:
         totals.stackOverflows = choice.split > 0 && counters.jobs > choice.jobCapacity ? counters.jobs - choice.jobCapacity : 0;
         totals.more = {{"node_tests", counters.nodeTests},         {"leaf_tests", counters.leafTests},
                        {"plane_tests", counters.planeTests},       {"accepted_nodes", counters.accepted},
-                       {"occupied_nodes", counters.occupiedNodes}, {"tree_nodes", gnoClusterNodeCount(layout)}};
-        if (choice.form == GNO_CLUSTER_COMPACT) {
+                       {"occupied_nodes", counters.occupiedNodes}, {"tree_nodes", clusterNodeCount(hierarchy.layout())}};
+        if (choice.form == ClusterForm::compact) {
             totals.more.push_back({"boxes", counters.boxes});
             totals.more.push_back({"boxes_missing", counters.boxes > choice.boxCapacity ? counters.boxes - choice.boxCapacity : 0});
         }

@@ -4,160 +4,134 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 
 #include "host_min/error.hpp"
+#include "host_min/techniques/build_totals.hpp"
 #include "host_min/techniques/dumped.hpp"
-#include "host_min/techniques/measure.hpp"
 
 namespace gno::host {
 namespace {
 
-uint32_t groupsOf(uint32_t count) { return std::max(1u, (count + GNO_FOREST_GROUP - 1) / GNO_FOREST_GROUP); }
-
-/// Pairs whose planes fit one binding, and whose passes fit one row of work groups.
-uint32_t mostPairs(const DeviceFacts& device) {
-    return uint32_t(std::min<uint64_t>(device.maxStorageBufferRange / 64, uint64_t(kMostGroups) * GNO_FOREST_GROUP));
-}
-
-constexpr std::array kResolutions{4u, 8u, 16u, 32u, 64u, 128u, 256u};
-
-/// What a build and a query cost together, in visited nodes of a query: a pair costs as much as 65, a cell as 4, a sample visits 5.5 times the 0.3rd
-/// power of the pairs that a cell holds in the mean. Fitted to 13 scenes at 1920x1080, see glsl/README.md, "How many cells".
-double expectedVisits(const GnoForestHeader& found, uint64_t samples, uint32_t cells) {
-    return 65.0 * found.pairs + 4.0 * cells + double(samples) * 5.5 * std::pow(double(found.pairs) / std::max(1u, found.used), 0.3);
-}
+constexpr std::array<std::string_view, kForestResolutions.size()> kCountParts{
+    "forest_setup_choose_4",  "forest_setup_choose_8",   "forest_setup_choose_16", "forest_setup_choose_32",
+    "forest_setup_choose_64", "forest_setup_choose_128", "forest_setup_choose_256"};
 
 }  // namespace
 
-ForestTrees::ForestTrees(const FrameInputs& inputs, const ForestOptions& options)
-    : inputs_(inputs),
-      options_(options),
-      assignment_(inputs, "forest", options.viewCull, options.cover, options.seed),
-      planes_(inputs.device(), topPlaneBytes(0)),
-      links_(inputs.device(), topLinkBytes(0)),
-      slabs_(inputs.device(), topSlabBytes(0)) {
-    if (options.resolution == 0)
-        chooseResolution();
-    else
-        count(options.resolution);
-    const uint32_t most = mostPairs(inputs.device().facts());
-    if (found_.pairs > most)
-        throw InputError(fmt::format("the forest needs {} pairs of cell and caster, over the limit of {}: use a smaller --set cells than {}",
-                                     found_.pairs, most, resolution()));
-    if (options.pool > 0 && options.pool < found_.pairs)
-        throw InputError(
-            fmt::format("--set pool={}: the forest needs {} pairs of cell and caster: use a larger pool, or 0", options.pool, found_.pairs));
-    const uint64_t capacity = options.pool > 0 ? options.pool : found_.pairs;
-    assignment_.setPool(capacity);
-    if (options.storePlanes) planes_ = Buffer(inputs.device(), topPlaneBytes(capacity));
-    links_ = Buffer(inputs.device(), topLinkBytes(capacity));
-    if (options.slab) slabs_ = Buffer(inputs.device(), topSlabBytes(capacity));
-    if (options.counters) {
-        Buffer totals(inputs.device(), 5 * 4);
-        totals.fill(0);
-        Recording recording(inputs.device());
-        recordAssignment(recording);
-        recordTrees(recording, &totals);
-        recording.submit();
-        const auto words = totals.downloadAs<uint32_t>();
-        counters_ = {uint64_t(words[1]) << 32 | words[0], words[2], words[3], words[4]};
+void ForestTrees::prepare(const FrameInputs& inputs) {
+    inputs_ = &inputs;
+    if (settings_.choice == CellChoice::counted) {
+        prepareCandidates();
+        return;
     }
-    passes_.push_back({inputs.casterSetUp().name, inputs.casterSetUp().ms});
-    for (const PassTime& time : measure(inputs.device(), options.repeat, options.warmUp, [&](Recording& recording) {
-             recordAssignment(recording);
-             recordTrees(recording, nullptr);
-         }))
-        passes_.push_back({time.name, time.ms});
+    segments_ = 1;
+    const uint32_t resolution =
+        settings_.choice == CellChoice::given ? settings_.resolution : forestResolution(inputs.casterCount(), inputs.sampleCount());
+    prepareBuild(resolution, poolBefore());
 }
 
-void ForestTrees::count(uint32_t resolution) {
-    assignment_.setResolution(resolution);
-    Recording recording(inputs_.device());
-    recordAssignment(recording);
+/// Pairs to make room for before anything of the frame is known.
+uint64_t ForestTrees::poolBefore() const {
+    if (settings_.pool > 0) return forestPool(settings_.pool);
+    return std::min(learned_ > 0 ? forestPoolFor(learned_) : forestFirstPool(inputs_->casterCount()), mostPairs());
+}
+
+void ForestTrees::prepareBuild(uint32_t resolution, uint64_t pool) {
+    cells_ = lightCells(*inputs_, "forest", resolution, settings_.viewCull, settings_.cover);
+    arrays_.fit(inputs_->device(), forestArrays(cells_, pool, settings_.options));
+    writeGrid(arrays_["gnoForestGrid"], *inputs_, cells_);
+    passes_ = PassRunner(inputs_->passes(), forestBuildPasses(cells_, settings_.options), inputs_->withCasters(arrays_.bindings()));
+}
+
+void ForestTrees::prepareCandidates() {
+    const Device& device = inputs_->device();
+    candidates_.clear();
+    cells_ = lightCells(*inputs_, "forest", kForestResolutions.back(), settings_.viewCull, settings_.cover);
+    candidateCells_.emplace(device, arrayNamed(lightCellArrays(cells_, 2), "gnoForestCells").bytes);
+    candidatePairs_.emplace(device, 2 * sizeof(GnoForestPair));  // bound, and nothing is put there
+    cells_.resolution = kForestResolutions.front();
+    arrays_.fit(device, forestArrays(cells_, forestPool(0), settings_.options));
+    for (size_t i = 0; i < kForestResolutions.size(); ++i) {
+        cells_.resolution = kForestResolutions[i];
+        candidates_.push_back({cells_.resolution, Buffer(device, sizeof(GnoForestGrid), vk::BufferUsageFlagBits::eUniformBuffer), {}});
+        Candidate& candidate = candidates_.back();
+        writeGrid(candidate.grid, *inputs_, cells_);
+        PassList list = forestCountPasses(cells_);
+        for (Pass& pass : list) pass.part = kCountParts[i];
+        std::vector<Binding> resources{
+            {"gnoForestGrid", &candidate.grid}, {"gnoForestCells", &*candidateCells_}, {"gnoForestPairs", &*candidatePairs_}};
+        for (const Binding& binding : inputs_->withCasters(arrays_.bindings())) resources.push_back(binding);
+        candidate.passes = PassRunner(inputs_->passes(), list, resources);
+    }
+    segments_ = uint32_t(candidates_.size()) + 1;
+}
+
+void ForestTrees::record(Recording& recording, uint32_t segment) const {
+    const PassRunner& passes = segment + 1 < segments_ ? candidates_[segment].passes : passes_;
+    passes.record(recording, inputs_->push(settings_.options.seed));
+}
+
+/// More cells until the cost is clearly over the least, then the build with the best.
+void ForestTrees::between(uint32_t segment) {
+    if (segment == 0) {
+        costs_.clear();
+        counted_.clear();
+        segments_ = uint32_t(candidates_.size()) + 1;
+    }
+    const GnoForestHeader counted = header();
+    cells_.resolution = candidates_[segment].resolution;
+    costs_.push_back(forestVisits(counted.pairs, counted.used, inputs_->sampleCount(), cells_.count()));
+    counted_.push_back(counted.pairs);
+    const auto least = std::min_element(costs_.begin(), costs_.end());
+    if (costs_.back() <= 1.3 * *least && costs_.size() < candidates_.size()) return;
+    segments_ = segment + 2;
+    const auto best = size_t(least - costs_.begin());
+    prepareBuild(candidates_[best].resolution,
+                 settings_.pool > 0 ? forestPool(settings_.pool) : forestPool(std::min<uint64_t>(counted_[best], mostPairs())));
+}
+
+void ForestTrees::count() {
+    const BuildTotals totals(inputs_->device());
+    std::vector<Binding> resources = inputs_->withCasters(arrays_.bindings());
+    resources.push_back(totals.binding());
+    const PassRunner counting(inputs_->passes(), passes_.list(), resources, {.counters = true});
+    Recording recording(inputs_->device());
+    counting.record(recording, inputs_->push(settings_.options.seed));
     recording.submit();
-    found_ = assignment_.header().downloadAs<GnoForestHeader>().front();
+    counters_ = totals.read();
 }
 
-void ForestTrees::chooseResolution() {
-    double least = std::numeric_limits<double>::max();
-    uint32_t best = kResolutions.front();
-    for (const uint32_t resolution : kResolutions) {
-        count(resolution);
-        const double cost = expectedVisits(found_, inputs_.sampleCount(), assignment_.cellCount());
-        if (cost < least) {
-            least = cost;
-            best = resolution;
-        } else if (cost > 1.3 * least) {
-            break;
-        }
-    }
-    if (resolution() != best) count(best);
-}
-
-std::vector<Binding> ForestTrees::resources() const {
-    auto all = assignment_.resources();
-    all.insert(all.end(), {{"gnoTopPlanes", &planes_}, {"gnoTopLinks", &links_}, {"gnoTopHeader", &assignment_.header()}, {"gnoTopSlabs", &slabs_}});
-    return all;
-}
-
-void ForestTrees::recordAssignment(Recording& recording) const {
-    const ExamplePush push = inputs_.push(options_.seed);
-    const auto bytes = std::as_bytes(std::span(&push, 1));
-    const auto pass = [&](const char* name) -> const ComputePass& { return inputs_.passes().compute(std::string("forest/examples/") + name); };
-    recording.beginPass("forest_setup_depth");
-    assignment_.recordDepth(recording);
-    recording.endPass();
-    recording.beginPass("forest_setup_sort");
-    assignment_.recordSort(recording);
-    recording.endPass();
-    recording.beginPass("forest_setup_count");
-    assignment_.recordCount(recording);
-    recording.barrier();
-    pass("allocate.comp").dispatch(recording, resources(), bytes, groupsOf(assignment_.cellCount()));
-    recording.barrier();
-    pass("sizes.comp").dispatch(recording, resources(), bytes, 1);
-    recording.endPass();
-}
-
-void ForestTrees::recordTrees(Recording& recording, const Buffer* totals) const {
-    const ExamplePush push = inputs_.push(options_.seed);
-    const auto bytes = std::as_bytes(std::span(&push, 1));
-    auto all = resources();
-    if (totals) all.push_back({"gnoTotals", totals});
-    const auto overPairs = [&](const char* name) {
-        inputs_.passes()
-            .compute(std::string("forest/examples/") + name, {{0, uint32_t(options_.precision)}, {3, options_.slab}, {4, options_.storePlanes}})
-            .dispatchIndirect(recording, all, bytes, assignment_.header(), offsetof(GnoForestHeader, groupsOfPairs));
-    };
-    recording.beginPass("forest_setup_emit");
-    assignment_.recordEmit(recording);
-    recording.endPass();
-    recording.beginPass("forest_setup");
-    overPairs("set_up.comp");
-    recording.endPass();
-    recording.beginPass("forest_build");
-    overPairs(totals ? "build.comp.counters" : "build.comp");
-    recording.endPass();
+bool ForestTrees::read() {
+    found_ = header();
+    if (found_.pairs > mostPairs())
+        throw InputError(fmt::format("the forest needs {} pairs of cell and caster, over the limit of {}: use a smaller --set cells than {}",
+                                     found_.pairs, mostPairs(), resolution()));
+    if (settings_.pool > 0 && settings_.pool < found_.pairs)
+        throw InputError(
+            fmt::format("--set pool={}: the forest needs {} pairs of cell and caster: use a larger pool, or 0", settings_.pool, found_.pairs));
+    learned_ = found_.pairs;
+    return found_.pairs <= arrays_["gnoForestPairs"].bytes() / sizeof(GnoForestPair);
 }
 
 NamedNumbers ForestTrees::bytes() const {
-    return {{"trees", (options_.storePlanes ? planes_.bytes() : 0) + links_.bytes() + (options_.slab ? slabs_.bytes() : 0)},
-            {"cells", assignment_.cellBytes()},
-            {"pairs", assignment_.pool().bytes()},
-            {"casters", assignment_.casterBytes()}};
+    NamedNumbers all{{"trees", (settings_.options.storePlanes ? arrays_["gnoTopPlanes"].bytes() : 0) + arrays_["gnoTopLinks"].bytes() +
+                                   (settings_.options.slab ? arrays_["gnoTopSlabs"].bytes() : 0)},
+                     {"cells", arrays_.bytes({"gnoForestCells", "gnoForestGrid", "gnoForestHeader", "gnoTopHeader"})},
+                     {"pairs", arrays_.bytes({"gnoForestPairs"})},
+                     {"casters", arrays_.bytes({"gnoList", "gnoForestFew"})}};
+    if (candidateCells_)
+        all.emplace_back("counting", candidateCells_->bytes() + candidatePairs_->bytes() + candidates_.size() * candidates_.front().grid.bytes());
+    return all;
 }
 
 std::vector<DumpedBuffer> ForestTrees::dump() const {
     const uint64_t pairs = found_.pairs;
-    std::vector<DumpedBuffer> all{dumped("grid", "GnoForestGrid", assignment_.grid(), sizeof(GnoForestGrid), 1),
-                                  dumped("cells", "GnoForestCell cell[]", assignment_.cells(), sizeof(GnoForestCell), assignment_.cellCount()),
-                                  dumped("pairs", "GnoForestPair pair[]", assignment_.pool(), sizeof(GnoForestPair), pairs),
-                                  dumped("forest_header", "GnoForestHeader", assignment_.header(), sizeof(GnoForestHeader), 1),
-                                  dumped("links", "GnoTopLink link[4 * pairs]", links_, sizeof(GnoTopLink), 4 * pairs)};
-    if (options_.storePlanes) all.push_back(dumped("planes", "vec4 plane[4 * pairs]", planes_, 16, 4 * pairs));
+    std::vector<DumpedBuffer> all{dumped("grid", "GnoForestGrid", arrays_["gnoForestGrid"], sizeof(GnoForestGrid), 1),
+                                  dumped("cells", "GnoForestCell cell[]", arrays_["gnoForestCells"], sizeof(GnoForestCell), cells_.count()),
+                                  dumped("pairs", "GnoForestPair pair[]", arrays_["gnoForestPairs"], sizeof(GnoForestPair), pairs),
+                                  dumped("forest_header", "GnoForestHeader", arrays_["gnoForestHeader"], sizeof(GnoForestHeader), 1),
+                                  dumped("links", "GnoTopLink link[4 * pairs]", arrays_["gnoTopLinks"], sizeof(GnoTopLink), 4 * pairs)};
+    if (settings_.options.storePlanes) all.push_back(dumped("planes", "vec4 plane[4 * pairs]", arrays_["gnoTopPlanes"], 16, 4 * pairs));
     return all;
 }
 

@@ -1,54 +1,76 @@
 // SPDX-License-Identifier: MIT
-// A forest of TOP trees on the device, one per cell of the light's grid, built with glsl/forest and glsl/top as any engine would.
+// A forest of TOP trees on the device, one per cell of the light's grid, built by the pass lists of glsl/forest/passes.hpp.
 #pragma once
+#include <optional>
 #include <vector>
 
-#include "glsl/top/node.h"
 #include "host_min/output/record.hpp"
+#include "host_min/techniques/array_buffers.hpp"
 #include "host_min/techniques/cell_assignment.hpp"
 #include "host_min/techniques/technique.hpp"
 #include "host_min/techniques/top_tree.hpp"
 
 namespace gno::host {
 
-struct ForestOptions {
-    Precision precision = Precision::certified;
-    uint32_t resolution = 0;  ///< cells along an edge of a face; 0: chosen by counting pairs at several
-    bool viewCull = true, cover = true;
-    bool slab = false;        ///< bounds of a node's children, kept in the node
-    bool storePlanes = true;  ///< false: the build and the queries compute a node's plane from its caster
-    uint32_t pool = 0;        ///< pairs; 0: as many as the frame needs, which one read-back tells
-    uint32_t seed = 1;        ///< of the insertion order
-    uint32_t repeat = 1;
-    bool warmUp = true;
-    bool counters = true;
+enum class CellChoice : uint8_t {
+    given,    ///< ForestSettings::resolution
+    known,    ///< forestResolution(), before the frame
+    counted,  ///< counting at several, within the frame: the host waits for each
 };
 
-class ForestTrees {
-public:
-    /// Throws InputError when an array would pass the device's limits, or the given pool is too small.
-    ForestTrees(const FrameInputs& inputs, const ForestOptions& options);
+struct ForestSettings {
+    ForestOptions options;
+    CellChoice choice = CellChoice::known;
+    uint32_t resolution = 0;
+    bool viewCull = true, cover = true;
+    uint32_t pool = 0;  ///< pairs; 0: chosen, and enlarged when it was too small
+};
 
-    [[nodiscard]] std::vector<Binding> resources() const;  ///< what a query binds, its own images left out
-    [[nodiscard]] const std::vector<RecordPass>& passes() const { return passes_; }
+class ForestTrees final : public Structure {
+public:
+    explicit ForestTrees(const ForestSettings& settings) : settings_(settings) {}
+
+    void prepare(const FrameInputs& inputs) override;
+    [[nodiscard]] uint32_t segments() const override { return segments_; }
+    void record(Recording& recording, uint32_t segment) const override;
+    void between(uint32_t segment) override;
+    void count() override;
+    /// Throws InputError when the device has no room for the pairs, or the given pool has none.
+    [[nodiscard]] bool read() override;
+
+    [[nodiscard]] std::vector<Binding> bindings() const { return arrays_.bindings(); }  ///< what a query binds, its own images left out
+    [[nodiscard]] const ForestOptions& options() const { return settings_.options; }
     [[nodiscard]] const TopBuildCounters& counters() const { return counters_; }
-    [[nodiscard]] uint32_t resolution() const { return assignment_.resolution(); }
+    [[nodiscard]] uint32_t resolution() const { return cells_.resolution; }
     [[nodiscard]] const GnoForestHeader& found() const { return found_; }  ///< pairs, used cells, casters with some and with many cells
     [[nodiscard]] NamedNumbers bytes() const;
     [[nodiscard]] std::vector<DumpedBuffer> dump() const;
 
 private:
-    void count(uint32_t resolution);
-    void chooseResolution();
-    void recordAssignment(Recording& recording) const;
-    void recordTrees(Recording& recording, const Buffer* totals) const;
+    /// Counting at one resolution, with a grid and cells of its own.
+    struct Candidate {
+        uint32_t resolution;
+        Buffer grid;
+        PassRunner passes;
+    };
+    [[nodiscard]] uint64_t mostPairs() const { return forestMostPairs(inputs_->device().facts().maxStorageBufferRange); }
+    [[nodiscard]] uint64_t poolBefore() const;
+    void prepareBuild(uint32_t resolution, uint64_t pool);
+    void prepareCandidates();
+    [[nodiscard]] GnoForestHeader header() const { return arrays_["gnoForestHeader"].downloadAs<GnoForestHeader>().front(); }
 
-    const FrameInputs& inputs_;
-    ForestOptions options_;
-    CellAssignment assignment_;
-    GnoForestHeader found_{};  ///< what the assignment counted
-    Buffer planes_, links_, slabs_;
-    std::vector<RecordPass> passes_;
+    ForestSettings settings_;
+    const FrameInputs* inputs_ = nullptr;
+    LightCells cells_;
+    ArrayBuffers arrays_;
+    PassRunner passes_;
+    uint32_t segments_ = 1;
+    std::vector<Candidate> candidates_;
+    std::optional<Buffer> candidateCells_, candidatePairs_;
+    std::vector<double> costs_;      ///< of the candidates that were counted
+    std::vector<uint32_t> counted_;  ///< their pairs
+    GnoForestHeader found_{};        ///< what the assignment counted
+    uint64_t learned_ = 0;           ///< pairs of the frame before
     TopBuildCounters counters_;
 };
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "host_min/techniques/light_grid_lists.hpp"
-#include "host_min/techniques/query_pass.hpp"
 
 namespace gno::host {
 namespace {
@@ -22,7 +21,7 @@ public:
             {"view_cull", "leave out casters beyond a cell's view samples; off: the lists outlive a camera's moves", 0, 0, {"on", "off"}, "on"},
             {"cover", "leave out casters beyond one that hides the whole cell", 0, 0, {"on", "off"}, "on"},
             {"pool",
-             "entries of each pool (pairs of cell and caster; items of lists); 0: as many as the frame needs, by one read-back each",
+             "entries of each pool (pairs of cell and caster; items of lists); 0: by casters, and by what the frame before needed",
              0,
              2097152,
              {},
@@ -38,32 +37,34 @@ public:
 
     const TechniqueInfo& info() const override { return info_; }
 
-    TechniqueResult run(const FrameInputs& inputs, StructureCache& structures, const Settings& settings, const RunOptions& options) override {
-        const LightGridOptions gridOptions{uint32_t(std::stoul(settings.word("cells"))),
-                                           settings.number("nest"),
-                                           settings.word("view_cull") == "on",
-                                           settings.word("cover") == "on",
-                                           settings.number("pool"),
-                                           settings.word("caster_planes") == "stored",
-                                           options.repeat,
-                                           options.warmUp};
-        const std::string key = fmt::format("light grid {} {} {} {} {} {}", gridOptions.resolution, gridOptions.nest, gridOptions.viewCull,
-                                            gridOptions.cover, gridOptions.pool, gridOptions.planes);
-        const LightGridLists& lists = structures.get<LightGridLists>(key, [&] { return std::make_shared<LightGridLists>(inputs, gridOptions); });
+    std::string structureKey(const FrameInputs&, const Settings& settings, const RunOptions&) const override {
+        std::string key = "light grid";
+        for (const char* setting : {"cells", "view_cull", "cover", "caster_planes"}) key += " " + settings.word(setting);
+        return fmt::format("{} {} {}", key, settings.number("nest"), settings.number("pool"));
+    }
 
-        TechniqueResult result;
-        result.passes = lists.passes();
+    std::unique_ptr<Structure> makeStructure(const FrameInputs&, const Settings& settings, const RunOptions&) const override {
+        return std::make_unique<LightGridLists>(
+            LightGridSettings{.options = {.nest = settings.number("nest"), .planes = settings.word("caster_planes") == "stored"},
+                              .resolution = uint32_t(std::stoul(settings.word("cells"))),
+                              .viewCull = settings.word("view_cull") == "on",
+                              .cover = settings.word("cover") == "on",
+                              .pool = settings.number("pool")});
+    }
+
+    Query query(const Structure& structure, const FrameInputs& inputs, const Settings& settings, const RunOptions& options) const override {
+        const auto& lists = dynamic_cast<const LightGridLists&>(structure);
+        return {lightGridQueryPasses(inputs.width(), inputs.height(), uint32_t(options.precision), lists.options(),
+                                     settings.word("stage") == "fragment"),
+                lists.bindings()};
+    }
+
+    void read(const Structure& structure, const FrameInputs&, const Settings&, const RunOptions& options, TechniqueResult& result) const override {
+        const auto& lists = dynamic_cast<const LightGridLists&>(structure);
         result.bytes = lists.bytes();
-        ask(inputs,
-            {gridOptions.planes ? "rivals/examples/light_grid_query_planes" : "rivals/examples/light_grid_query",
-             {{0, uint32_t(options.precision)}},
-             lists.resources(),
-             "light_grid_query",
-             settings.word("stage") == "fragment"},
-            options, result);
-        result.counters.more = {{"pairs", lists.pairs()}, {"items", lists.items()}, {"nested_cells", lists.nests()}};
+        result.counters.more = {
+            {"pairs", lists.pairs()}, {"items", lists.items()}, {"nested_cells", lists.nests()}, {"crowded_cells", lists.crowded()}};
         if (options.dump) result.dump = lists.dump();
-        return result;
     }
 
 private:

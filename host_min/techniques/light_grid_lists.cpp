@@ -7,16 +7,12 @@
 
 #include "host_min/error.hpp"
 #include "host_min/techniques/dumped.hpp"
-#include "host_min/techniques/measure.hpp"
 
 namespace gno::host {
 namespace {
 
-uint32_t groupsOf(uint32_t count) { return std::max(1u, (count + GNO_LIGHT_GRID_GROUP - 1) / GNO_LIGHT_GRID_GROUP); }
-
-/// `what` is in the pool of `given` entries (0: of any size), whose entries take 8 bytes.
-void checkPool(const DeviceFacts& device, const char* what, uint32_t needed, uint32_t given, uint32_t resolution) {
-    const uint64_t most = device.maxStorageBufferRange / 8;
+/// `what` is in the pool of `given` entries (0: of any size).
+void checkPool(const char* what, uint32_t needed, uint32_t given, uint64_t most, uint32_t resolution) {
     if (needed > most)
         throw InputError(
             fmt::format("the light grid needs {} {}, over the limit of {}: use a smaller --set cells than {}", needed, what, most, resolution));
@@ -26,136 +22,52 @@ void checkPool(const DeviceFacts& device, const char* what, uint32_t needed, uin
 
 }  // namespace
 
-LightGridLists::LightGridLists(const FrameInputs& inputs, const LightGridOptions& options)
-    : inputs_(inputs),
-      options_(options),
-      assignment_(inputs, "light grid", options.viewCull, options.cover, 0),
-      lists_(inputs.device(), 8),
-      depths_(inputs.device(), 4),
-      itemPool_(inputs.device(), 8),
-      header_(inputs.device(), sizeof(GnoLightGridHeader), vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eIndirectBuffer),
-      planes_(inputs.device(), options.planes ? 64 * uint64_t(inputs.triangleCount()) : 0) {
-    const Device& device = inputs.device();
-    assignment_.setResolution(options.resolution);
-    const uint32_t cellCount = assignment_.cellCount();
-    lists_ = Buffer(device, uint64_t(gnoLightGridLists(cellCount, 0)) * sizeof(GnoLightGridList));
-    const auto submit = [&](auto... parts) {
-        Recording recording(device);
-        (parts(recording), ...);
-        recording.submit();
+void LightGridLists::prepare(const FrameInputs& inputs) {
+    inputs_ = &inputs;
+    const uint64_t range = inputs.device().facts().maxStorageBufferRange;
+    cells_ = lightCells(inputs, "light grid", settings_.resolution, settings_.viewCull, settings_.cover);
+    const auto enlarge = [&](uint64_t& pool, uint64_t first, uint64_t learned) {
+        const uint64_t wanted = settings_.pool > 0 ? forestPool(settings_.pool) : std::min(learned > 0 ? forestPoolFor(learned) : first, most());
+        pool = std::max(pool, wanted);
     };
-    const auto cells = [&](Recording& recording) { recordCells(recording); };
-    const auto counts = [&](Recording& recording) { recordCounts(recording); };
-
-    submit(cells);  // first read-back: pairs, and cells that are to be nested
-    pairs_ = assignment_.header().downloadAs<GnoForestHeader>().front().pairs;
-    nests_ = header_.downloadAs<GnoLightGridHeader>().front().nests;
-    checkPool(device.facts(), "pairs of cell and caster", pairs_, options.pool, options.resolution);
-    assignment_.setPool(std::max(options.pool, pairs_));
-    lists_ = Buffer(device, (uint64_t(gnoLightGridLists(cellCount, 0)) + uint64_t(GNO_LIGHT_GRID_GROUP) * nests_) * sizeof(GnoLightGridList));
-    depths_ = Buffer(device, uint64_t(GNO_LIGHT_GRID_GROUP) * nests_ * 4);
-
-    submit(cells, counts);  // second: items of all lists
-    items_ = header_.downloadAs<GnoLightGridHeader>().front().items;
-    checkPool(device.facts(), "items of lists", items_, options.pool, options.resolution);
-    itemPool_ = Buffer(device, uint64_t(std::max(options.pool, items_)) * sizeof(GnoLightGridItem));
-
-    passes_.push_back({inputs.casterSetUp().name, inputs.casterSetUp().ms});
-    for (const PassTime& time : measure(device, options.repeat, options.warmUp, [&](Recording& recording) {
-             recordCells(recording);
-             recordCounts(recording);
-             recordItems(recording);
-             if (options.planes) {
-                 recording.beginPass("light_grid_setup_planes");
-                 run(recording, "rivals/examples/light_grid_planes.comp", groupsOf(inputs.triangleCount()));
-                 recording.endPass();
-             }
-         }))
-        passes_.push_back({time.name, time.ms});
+    const LightGridPools first = lightGridFirstPools(inputs.casterCount());
+    enlarge(pools_.pairs, first.pairs, pairs_);
+    enlarge(pools_.items, first.items, items_);
+    const uint64_t nests = lightGridNests(cells_, pools_.pairs, settings_.options.nest, range);
+    arrays_.fit(inputs.device(), lightGridArrays(cells_, pools_, nests, settings_.options));
+    writeGrid(arrays_["gnoForestGrid"], inputs, cells_);
+    passes_ = PassRunner(inputs.passes(), lightGridBuildPasses(cells_, settings_.options), inputs.withCasters(arrays_.bindings()));
 }
 
-std::vector<Binding> LightGridLists::resources() const {
-    auto all = assignment_.resources();
-    all.insert(all.end(), {{"gnoGridLists", &lists_},
-                           {"gnoGridItems", &itemPool_},
-                           {"gnoGridDepths", &depths_},
-                           {"gnoGridHeader", &header_},
-                           {"gnoGridPlanes", &planes_}});
-    return all;
-}
+void LightGridLists::record(Recording& recording, uint32_t) const { passes_.record(recording, inputs_->push()); }
 
-const ComputePass& LightGridLists::pass(const std::string& shader, Specialization constants) const {
-    if (shader.ends_with("_pairs.comp")) constants[30] = options_.viewCull;
-    if (shader.ends_with("_open.comp")) constants[33] = options_.nest;
-    return inputs_.passes().compute(shader, constants);
-}
-
-void LightGridLists::run(Recording& recording, const std::string& shader, uint32_t groups, Specialization constants) const {
-    const ExamplePush push = inputs_.push();
-    recording.barrier();
-    pass(shader, std::move(constants)).dispatch(recording, resources(), std::as_bytes(std::span(&push, 1)), groups);
-}
-
-void LightGridLists::runIndirect(Recording& recording, const std::string& shader, const Buffer& header, uint64_t offset,
-                                 Specialization constants) const {
-    const ExamplePush push = inputs_.push();
-    recording.barrier();
-    pass(shader, std::move(constants)).dispatchIndirect(recording, resources(), std::as_bytes(std::span(&push, 1)), header, offset);
-}
-
-void LightGridLists::recordCells(Recording& recording) const {
-    recording.beginPass("light_grid_setup_depth");
-    assignment_.recordDepth(recording);
-    run(recording, "rivals/examples/light_grid_reset.comp", 1);
-    recording.barrier();
-    assignment_.recordSort(recording);
-    recording.endPass();
-    recording.beginPass("light_grid_setup_count");
-    assignment_.recordCount(recording);
-    run(recording, "rivals/examples/light_grid_open.comp", groupsOf(assignment_.cellCount()));
-    run(recording, "rivals/examples/light_grid_sizes.comp", 1);
-    recording.endPass();
-}
-
-void LightGridLists::recordCounts(Recording& recording) const {
-    const ExamplePush push = inputs_.push();
-    recording.beginPass("light_grid_setup_pairs");
-    assignment_.recordEmit(recording);
-    recording.endPass();
-    recording.beginPass("light_grid_setup_nest");
-    if (nests_ > 0) {
-        if (options_.viewCull)
-            pass("rivals/examples/light_grid_depth.comp", {})
-                .dispatch(recording, resources(), std::as_bytes(std::span(&push, 1)), (inputs_.width() + 7) / 8, (inputs_.height() + 7) / 8);
-        runIndirect(recording, "rivals/examples/light_grid_pairs.comp", header_, offsetof(GnoLightGridHeader, groupsOfPairs), {{32, 5}});
-    }
-    runIndirect(recording, "rivals/examples/light_grid_allocate.comp", header_, offsetof(GnoLightGridHeader, groupsOfLists));
-    recording.endPass();
-}
-
-void LightGridLists::recordItems(Recording& recording) const {
-    recording.beginPass("light_grid_setup_items");
-    runIndirect(recording, "rivals/examples/light_grid_pairs.comp", header_, offsetof(GnoLightGridHeader, groupsOfPairs), {{32, 7}});
-    recording.endPass();
-    recording.beginPass("light_grid_setup_sort");
-    runIndirect(recording, "rivals/examples/light_grid_sort.comp", header_, offsetof(GnoLightGridHeader, groupsOfLists));
-    recording.endPass();
+bool LightGridLists::read() {
+    const auto header = arrays_["gnoGridHeader"].downloadAs<GnoLightGridHeader>().front();
+    const auto room = uint32_t(arrays_["gnoGridDepths"].bytes() / (4 * GNO_LIGHT_GRID_GROUP));
+    pairs_ = arrays_["gnoForestHeader"].downloadAs<GnoForestHeader>().front().pairs;
+    nests_ = std::min(header.nests, room);
+    crowded_ = header.nests - nests_;
+    checkPool("pairs of cell and caster", pairs_, settings_.pool, most(), settings_.resolution);
+    const bool whole = pairs_ <= pools_.pairs;
+    items_ = header.items;  // of what the pool of pairs had room for
+    checkPool("items of lists", items_, settings_.pool, most(), settings_.resolution);
+    return whole && items_ <= pools_.items;
 }
 
 NamedNumbers LightGridLists::bytes() const {
-    return {{"lists", lists_.bytes()},
-            {"items", itemPool_.bytes()},
-            {"planes", planes_.bytes()},
-            {"cells", assignment_.cellBytes() + depths_.bytes() + header_.bytes()},
-            {"pairs", assignment_.pool().bytes()},
-            {"casters", assignment_.casterBytes()}};
+    return {{"lists", arrays_.bytes({"gnoGridLists"})},
+            {"items", arrays_.bytes({"gnoGridItems"})},
+            {"planes", settings_.options.planes ? arrays_.bytes({"gnoGridPlanes"}) : 0},
+            {"cells", arrays_.bytes({"gnoForestCells", "gnoForestGrid", "gnoForestHeader", "gnoGridDepths", "gnoGridHeader"})},
+            {"pairs", arrays_.bytes({"gnoForestPairs"})},
+            {"casters", arrays_.bytes({"gnoList", "gnoForestFew"})}};
 }
 
 std::vector<DumpedBuffer> LightGridLists::dump() const {
-    return {dumped("grid", "GnoForestGrid", assignment_.grid(), sizeof(GnoForestGrid), 1),
-            dumped("lists", "GnoLightGridList list[]", lists_, sizeof(GnoLightGridList), gnoLightGridLists(assignment_.cellCount(), nests_)),
-            dumped("items", "GnoLightGridItem item[]", itemPool_, sizeof(GnoLightGridItem), items_),
-            dumped("light_grid_header", "GnoLightGridHeader", header_, sizeof(GnoLightGridHeader), 1)};
+    return {dumped("grid", "GnoForestGrid", arrays_["gnoForestGrid"], sizeof(GnoForestGrid), 1),
+            dumped("lists", "GnoLightGridList list[]", arrays_["gnoGridLists"], sizeof(GnoLightGridList), gnoLightGridLists(cells_.count(), nests_)),
+            dumped("items", "GnoLightGridItem item[]", arrays_["gnoGridItems"], sizeof(GnoLightGridItem), items_),
+            dumped("light_grid_header", "GnoLightGridHeader", arrays_["gnoGridHeader"], sizeof(GnoLightGridHeader), 1)};
 }
 
 }  // namespace gno::host

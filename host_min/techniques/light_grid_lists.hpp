@@ -1,52 +1,52 @@
 // SPDX-License-Identifier: MIT
-// Lists of casters per cell of the light's grid on the device, built with glsl/forest and glsl/rivals/light_grid* as any engine would.
+// Lists of casters per cell of the light's grid on the device, built by the pass lists of glsl/rivals/light_grid_passes.hpp.
 #pragma once
 #include <vector>
 
 #include "glsl/rivals/light_grid.h"
+#include "glsl/rivals/light_grid_passes.hpp"
 #include "host_min/output/record.hpp"
+#include "host_min/techniques/array_buffers.hpp"
 #include "host_min/techniques/cell_assignment.hpp"
 #include "host_min/techniques/technique.hpp"
 
 namespace gno::host {
 
-struct LightGridOptions {
+struct LightGridSettings {
+    LightGridOptions options;
     uint32_t resolution = 64;  ///< cells along an edge of a face
-    uint32_t nest = 8;         ///< a cell with more casters gets 8 x 8 sub cells; 0: none does
     bool viewCull = true, cover = true;
-    uint32_t pool = 0;   ///< pairs of cell and caster, and items of lists; 0: as many as the frame needs, which two read-backs tell
-    bool planes = true;  ///< a query asks the casters' planes first, 64 bytes each
-    uint32_t repeat = 1;
-    bool warmUp = true;
+    uint32_t pool = 0;  ///< pairs of cell and caster, and items of lists; 0: chosen, and enlarged when they were too small
 };
 
-class LightGridLists {
+class LightGridLists final : public Structure {
 public:
-    /// Throws InputError when an array would pass the device's limits, or the given pool is too small.
-    LightGridLists(const FrameInputs& inputs, const LightGridOptions& options);
+    explicit LightGridLists(const LightGridSettings& settings) : settings_(settings) {}
 
-    [[nodiscard]] std::vector<Binding> resources() const;  ///< what a query binds, its own images left out
-    [[nodiscard]] const std::vector<RecordPass>& passes() const { return passes_; }
+    void prepare(const FrameInputs& inputs) override;
+    void record(Recording& recording, uint32_t segment) const override;
+    /// Throws InputError when the device has no room for pairs or items, or the given pool has none.
+    [[nodiscard]] bool read() override;
+
+    [[nodiscard]] std::vector<Binding> bindings() const { return arrays_.bindings(); }  ///< what a query binds, its own images left out
+    [[nodiscard]] const LightGridOptions& options() const { return settings_.options; }
     [[nodiscard]] uint32_t pairs() const { return pairs_; }
     [[nodiscard]] uint32_t items() const { return items_; }
-    [[nodiscard]] uint32_t nests() const { return nests_; }
+    [[nodiscard]] uint32_t nests() const { return nests_; }      ///< cells that have sub cells
+    [[nodiscard]] uint32_t crowded() const { return crowded_; }  ///< cells that should have sub cells and found no room
     [[nodiscard]] NamedNumbers bytes() const;
     [[nodiscard]] std::vector<DumpedBuffer> dump() const;
 
 private:
-    void recordCells(Recording& recording) const;
-    void recordCounts(Recording& recording) const;
-    void recordItems(Recording& recording) const;
-    void run(Recording& recording, const std::string& shader, uint32_t groups, Specialization constants = {}) const;
-    void runIndirect(Recording& recording, const std::string& shader, const Buffer& header, uint64_t offset, Specialization constants = {}) const;
-    [[nodiscard]] const ComputePass& pass(const std::string& shader, Specialization constants) const;
+    [[nodiscard]] uint64_t most() const { return inputs_->device().facts().maxStorageBufferRange / 16 * 2; }  ///< entries of a pool in one binding
 
-    const FrameInputs& inputs_;
-    LightGridOptions options_;
-    CellAssignment assignment_;
-    uint32_t pairs_ = 0, items_ = 0, nests_ = 0;
-    Buffer lists_, depths_, itemPool_, header_, planes_;
-    std::vector<RecordPass> passes_;
+    LightGridSettings settings_;
+    const FrameInputs* inputs_ = nullptr;
+    LightCells cells_;
+    LightGridPools pools_;
+    ArrayBuffers arrays_;
+    PassRunner passes_;
+    uint32_t pairs_ = 0, items_ = 0, nests_ = 0, crowded_ = 0;
 };
 
 }  // namespace gno::host

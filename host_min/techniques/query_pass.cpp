@@ -2,7 +2,7 @@
 #include "host_min/techniques/query_pass.hpp"
 
 #include <algorithm>
-#include <array>
+#include <stdexcept>
 
 #include "host_min/techniques/measure.hpp"
 
@@ -11,30 +11,26 @@ namespace {
 
 constexpr uint32_t kPoison = 0xDEADBEEFu;  // a shader that writes nothing must not look right
 
-void record(Recording& recording, const FrameInputs& inputs, const QueryPass& query, const Image& visibility, const Image* counts) {
-    const ExamplePush push = inputs.push();
-    const auto bytes = std::as_bytes(std::span(&push, 1));
-    std::vector<Binding> resources = query.resources;
-    resources.insert(resources.end(), {{"gnoCasters", &inputs.casters()},
-                                       {"gnoSamples", &inputs.samples()},
-                                       {"gnoVisibility", &visibility},
-                                       {"gnoCounts", counts ? counts : &inputs.samples()}});
-    if (query.fragment && !counts) {
-        const std::array formats{visibility.format()};
-        const RasterPass& pass = inputs.passes().raster("core/examples/fullscreen.vert", query.shader + ".frag", formats, false, query.constants);
-        const std::array targets{RasterPass::Target{&visibility, vk::ClearColorValue(kPoison, kPoison, kPoison, kPoison)}};
-        pass.draw(recording, targets, nullptr, resources, bytes, 3);
-    } else {
-        const ComputePass& pass = inputs.passes().compute(query.shader + (counts ? ".comp.counters" : ".comp"), query.constants);
-        pass.dispatch(recording, resources, bytes, (inputs.width() + 7) / 8, (inputs.height() + 7) / 8);
-    }
+/// The same pass as compute: counts are stored to an image there.
+Pass inCompute(Pass pass, const FrameInputs& inputs, std::string& name) {
+    if (pass.kind == PassKind::compute) return pass;
+    name = std::string(pass.shader.substr(0, pass.shader.rfind('.'))) + ".comp";
+    pass.shader = name;
+    pass.kind = PassKind::compute;
+    pass.groups = {groupsFor(inputs.width(), 8), groupsFor(inputs.height(), 8), 1};
+    return pass;
 }
 
-void count(const FrameInputs& inputs, const QueryPass& query, const Image& visibility, TechniqueResult& result) {
+void count(const FrameInputs& inputs, const Query& query, std::vector<Binding> resources, TechniqueResult& result) {
     Image counts(inputs.device(), inputs.width(), inputs.height(), vk::Format::eR32G32B32A32Uint);
     counts.clear(vk::ClearColorValue(kPoison, kPoison, kPoison, kPoison));
+    resources.push_back({"gnoCounts", &counts});
+    PassList passes = query.passes;
+    std::vector<std::string> names(passes.size());
+    for (size_t i = 0; i < passes.size(); ++i) passes[i] = inCompute(passes[i], inputs, names[i]);
+    const PassRunner runner(inputs.passes(), passes, resources, {.counters = true});
     Recording recording(inputs.device());
-    record(recording, inputs, query, visibility, &counts);
+    runner.record(recording, inputs.push());
     recording.submit();
     RecordCounters& totals = result.counters;
     for (const glm::uvec4& pixel : counts.downloadAs<glm::uvec4>()) {
@@ -49,16 +45,16 @@ void count(const FrameInputs& inputs, const QueryPass& query, const Image& visib
 
 }  // namespace
 
-void ask(const FrameInputs& inputs, const QueryPass& query, const RunOptions& options, TechniqueResult& result) {
+void ask(const FrameInputs& inputs, const Query& query, const RunOptions& options, TechniqueResult& result) {
     Image visibility(inputs.device(), inputs.width(), inputs.height(), vk::Format::eR32Uint);
     visibility.clear(vk::ClearColorValue(kPoison, kPoison, kPoison, kPoison));
-    if (options.counters) count(inputs, query, visibility, result);
-    const auto times = measure(inputs.device(), options.repeat, options.warmUp, [&](Recording& recording) {
-        recording.beginPass(query.name);
-        record(recording, inputs, query, visibility, nullptr);
-        recording.endPass();
-    });
-    result.passes.push_back({times.front().name, times.front().ms});
+    std::vector<Binding> resources = inputs.withCasters(query.resources);
+    resources.push_back({"gnoVisibility", &visibility});
+    if (options.counters && query.countsPixels) count(inputs, query, resources, result);
+    const PassRunner runner(inputs.passes(), query.passes, resources);
+    const auto times =
+        measure(inputs.device(), options.repeat, options.warmUp, [&](Recording& recording) { runner.record(recording, inputs.push()); });
+    for (const PassTime& time : times) result.passes.push_back({time.name, time.ms});
     result.visibility = visibility.downloadAs<uint32_t>();
 }
 

@@ -1,45 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include "host_min/techniques/ray_scene.hpp"
 
-#include <array>
-
-#include "host_min/techniques/measure.hpp"
-
 namespace gno::host {
-namespace {
-constexpr uint32_t kGroup = 64;  // of ray_set_up.comp
+
+void RayScene::prepare(const FrameInputs& inputs) {
+    inputs_ = &inputs;
+    arrays_.fit(inputs.device(), rayQueryArrays(inputs.triangleCount()));
+    top_.reset();  // both hold addresses: of the frame's casters, and of the lower one
+    bottom_.reset();
+    bottom_.emplace(AccelerationStructure::ofTriangles(inputs.device(), inputs.casters(), indices(), inputs.triangleCount()));
+    top_.emplace(AccelerationStructure::ofInstance(inputs.device(), *bottom_));
+    passes_ = PassRunner(inputs.passes(), rayQueryBuildPasses(inputs.triangleCount()), inputs.withCasters(bindings()),
+                         {.command = [this](Recording& recording, const Pass& pass) { recordCommand(recording, pass); }});
 }
 
-RayScene::RayScene(const FrameInputs& inputs, uint32_t repeat, bool warmUp)
-    : indices_(inputs.device(), uint64_t(inputs.triangleCount()) * 12, vk::BufferUsageFlagBits::eStorageBuffer | AccelerationStructure::kInputUsage),
-      bottom_(AccelerationStructure::ofTriangles(inputs.device(), inputs.casters(), indices_, inputs.triangleCount())),
-      top_(AccelerationStructure::ofInstance(inputs.device(), bottom_)) {
-    passes_.push_back({inputs.casterSetUp().name, inputs.casterSetUp().ms});
-    for (const PassTime& pass : measure(inputs.device(), repeat, warmUp, [&](Recording& r) { record(r, inputs); }))
-        passes_.push_back({pass.name, pass.ms});
+void RayScene::record(Recording& recording, uint32_t) const { passes_.record(recording, inputs_->push()); }
+
+std::vector<Binding> RayScene::bindings() const {
+    std::vector<Binding> all = arrays_.bindings();
+    all.push_back({"gnoRayStructure", &*top_});
+    return all;
 }
+
+void RayScene::recordCommand(Recording& recording, const Pass& pass) const { (pass.shader == kRayTopLevel ? top_ : bottom_)->build(recording); }
 
 NamedNumbers RayScene::bytes() const {
-    return {{"indices", indices_.bytes()},
-            {"bottom_level", bottom_.bytes()},
-            {"top_level", top_.bytes()},
-            {"build_scratch", bottom_.scratchBytes() + top_.scratchBytes()}};
-}
-
-void RayScene::record(Recording& recording, const FrameInputs& inputs) const {
-    const ExamplePush push = inputs.push();
-    const std::array resources{Binding{"gnoStates", &inputs.states()}, Binding{"gnoRayIndices", &indices_}};
-    recording.beginPass("ray_setup");
-    inputs.passes()
-        .compute("rivals/examples/ray_set_up.comp")
-        .dispatch(recording, resources, std::as_bytes(std::span(&push, 1)), (inputs.triangleCount() + kGroup - 1) / kGroup);
-    recording.endPass();
-    recording.beginPass("bottom_build");
-    bottom_.build(recording);
-    recording.endPass();
-    recording.beginPass("top_level_build");
-    top_.build(recording);
-    recording.endPass();
+    return {{"indices", indices().bytes()},
+            {"bottom_level", bottom_->bytes()},
+            {"top_level", top_->bytes()},
+            {"build_scratch", bottom_->scratchBytes() + top_->scratchBytes()}};
 }
 
 }  // namespace gno::host

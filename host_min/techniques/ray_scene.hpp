@@ -1,30 +1,34 @@
 // SPDX-License-Identifier: MIT
-// The kept casters of one frame and light in acceleration structures on the device: indices into the casters' buffer, a bottom level, a
-// top level that holds it once.
+// The kept casters of one frame and light in acceleration structures on the device, built by the pass list of glsl/rivals/ray_query_passes.hpp.
 #pragma once
+#include <optional>
 #include <vector>
 
-#include "host_min/techniques/technique.hpp"
+#include "glsl/rivals/ray_query_passes.hpp"
+#include "host_min/frame/pass_runner.hpp"
+#include "host_min/techniques/array_buffers.hpp"
+#include "host_min/techniques/structure.hpp"
 #include "host_min/vulkan/acceleration_structure.hpp"
 
 namespace gno::host {
 
-class RayScene {
+class RayScene final : public Structure {
 public:
-    /// Builds, `repeat` times for the times. The device has ray queries.
-    RayScene(const FrameInputs& inputs, uint32_t repeat, bool warmUp);
+    /// The device has ray queries.
+    void prepare(const FrameInputs& inputs) override;
+    void record(Recording& recording, uint32_t segment) const override;
 
-    [[nodiscard]] const Buffer& indices() const { return indices_; }
-    [[nodiscard]] const AccelerationStructure& top() const { return top_; }
-    [[nodiscard]] const std::vector<RecordPass>& passes() const { return passes_; }  ///< caster_setup, ray_setup, bottom_build, top_level_build
+    [[nodiscard]] std::vector<Binding> bindings() const;
+    [[nodiscard]] const Buffer& indices() const { return arrays_["gnoRayIndices"]; }
     [[nodiscard]] NamedNumbers bytes() const;
+    /// For a runner of rayQueryBuildPasses: the two builds.
+    void recordCommand(Recording& recording, const Pass& pass) const;
 
 private:
-    void record(Recording& recording, const FrameInputs& inputs) const;
-
-    Buffer indices_;
-    AccelerationStructure bottom_, top_;
-    std::vector<RecordPass> passes_;
+    const FrameInputs* inputs_ = nullptr;
+    ArrayBuffers arrays_;
+    std::optional<AccelerationStructure> bottom_, top_;
+    PassRunner passes_;
 };
 
 }  // namespace gno::host

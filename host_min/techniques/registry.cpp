@@ -19,8 +19,8 @@ namespace gno::host {
 const std::vector<std::unique_ptr<Technique>>& techniques() {
     static const auto list = [] {
         std::vector<std::unique_ptr<Technique>> made;
-        for (const TopQuery query : {TopQuery::psv, TopQuery::dPsv, TopQuery::dStackless, TopQuery::dHybrid})
-            made.push_back(makeTopTechnique(query));
+        for (const auto name : {TopTechniqueName::psv, TopTechniqueName::dPsv, TopTechniqueName::dStackless, TopTechniqueName::dHybrid})
+            made.push_back(makeTopTechnique(name));
         made.push_back(makeClusterTechnique(false));
         made.push_back(makeClusterTechnique(true));
         made.push_back(makeForestTechnique());

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // A technique answers for every view sample of a frame. One class in NAME.cpp, one line in registry.cpp; every tool and test finds it from there.
 #pragma once
-#include <any>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "host_min/frame/inputs.hpp"
+#include "host_min/frame/pass_runner.hpp"
 #include "host_min/output/record.hpp"
 #include "host_min/techniques/settings.hpp"
+#include "host_min/techniques/structure.hpp"
 
 namespace gno::host {
 
@@ -27,6 +27,7 @@ struct TechniqueInfo {
     bool subgroupBallot = false;       ///< needs subgroup ballots in compute shaders, beyond what the host needs anyway
     bool rayQuery = false;             ///< needs VK_KHR_ray_query and what belongs to it
     bool traces = false;               ///< can log the way of one pixel's query (RunOptions::trace)
+    bool hostWaits = false;            ///< the host waits within a frame (Structure::segments)
 };
 
 /// What the device lacks for this technique, by Vulkan's field name; empty: nothing.
@@ -55,32 +56,43 @@ struct TechniqueResult {
     std::vector<uint32_t> sampleTests;   ///< per pixel: how often it was tested against a shadow volume; the same
     std::vector<uint32_t> deepestStack;  ///< per pixel; the same
     std::vector<RecordPass> passes;      ///< structure first
+    uint32_t hostWaits = 0;              ///< of the host within the frame
+    uint32_t reruns = 0;                 ///< builds thrown away because a pool was too small
     NamedNumbers bytes;
     RecordCounters counters;
     std::vector<DumpedBuffer> dump;
     std::optional<glm::uvec2> traced{};  ///< the pixel whose way the dump holds
 };
 
-/// Structures that several techniques share for one frame and light, by a key that names all they depend on.
-class StructureCache {
-public:
-    template <class T, class Make>
-    T& get(const std::string& key, const Make& make) {
-        auto& entry = entries_[key];
-        if (!entry.has_value()) entry = std::shared_ptr<T>(make());
-        return *std::any_cast<std::shared_ptr<T>&>(entry);
-    }
-    void clear() { entries_.clear(); }
-
-private:
-    std::map<std::string, std::any> entries_;
+/// How a technique's structure is asked: passes (the last one answers), and what they bind besides casters, samples and images.
+struct Query {
+    PassList passes;
+    std::vector<Binding> resources;
+    bool countsPixels = true;  ///< the instrumented shader stores visited nodes, deepest stack, overflows and exact calls of each pixel
 };
 
+/// A structure that is prepared, recorded and read (Structure), and a query of it. One class in NAME.cpp, one line in registry.cpp.
 class Technique {
 public:
     virtual ~Technique() = default;
     [[nodiscard]] virtual const TechniqueInfo& info() const = 0;
-    virtual TechniqueResult run(const FrameInputs& inputs, StructureCache& structures, const Settings& settings, const RunOptions& options) = 0;
+
+    /// Names all that the structure depends on but the frame's inputs: techniques with the same key share it.
+    [[nodiscard]] virtual std::string structureKey(const FrameInputs& inputs, const Settings& settings, const RunOptions& options) const = 0;
+    /// One that is neither prepared nor built.
+    [[nodiscard]] virtual std::unique_ptr<Structure> makeStructure(const FrameInputs& inputs, const Settings& settings,
+                                                                   const RunOptions& options) const = 0;
+    /// How this one, built, is asked for every view sample.
+    [[nodiscard]] virtual Query query(const Structure& structure, const FrameInputs& inputs, const Settings& settings,
+                                      const RunOptions& options) const = 0;
+    /// After the answer: counters, bytes and dumps of its own. `result` holds masks, passes and the query's counts.
+    virtual void read(const Structure& structure, const FrameInputs& inputs, const Settings& settings, const RunOptions& options,
+                      TechniqueResult& result) const = 0;
+
+    /// One frame and light: the structure from `structures` (built, unless another technique has done so for this frame), then the query. Throws
+    /// InputError when the device lacks something or a limit would be passed.
+    [[nodiscard]] TechniqueResult run(const FrameInputs& inputs, StructureCache& structures, const Settings& settings,
+                                      const RunOptions& options) const;
 };
 
 /// All techniques of this build, in the order of the table in README.

@@ -5,7 +5,6 @@
 
 #include <string>
 
-#include "host_min/techniques/query_pass.hpp"
 #include "host_min/techniques/top_trace.hpp"
 #include "host_min/techniques/top_tree.hpp"
 
@@ -14,29 +13,29 @@ namespace {
 
 struct Variant {
     const char* name;
-    const char* shader;  ///< of glsl/top/examples, without its ending
-    const char* trace;   ///< the same query, logging the nodes it loads
-    uint32_t stack;      ///< default; 0: it has none
+    TopQuery query;
+    const char* trace;  ///< the same query, logging the nodes it loads
+    uint32_t stack;     ///< default; 0: it has none
     bool depthTest;
 };
 
-constexpr Variant variantOf(TopQuery query) {
-    switch (query) {
-        case TopQuery::psv:
-            return {"psv", "query_stack", "trace_stack", 32, false};
-        case TopQuery::dPsv:
-            return {"d-psv", "query_stack", "trace_stack", 32, true};
-        case TopQuery::dStackless:
-            return {"d-stackless", "query_stackless", "trace_stackless", 0, true};
-        case TopQuery::dHybrid:
+constexpr Variant variantOf(TopTechniqueName name) {
+    switch (name) {
+        case TopTechniqueName::psv:
+            return {"psv", TopQuery::stack, "trace_stack", 32, false};
+        case TopTechniqueName::dPsv:
+            return {"d-psv", TopQuery::stack, "trace_stack", 32, true};
+        case TopTechniqueName::dStackless:
+            return {"d-stackless", TopQuery::stackless, "trace_stackless", 0, true};
+        case TopTechniqueName::dHybrid:
             break;
     }
-    return {"d-hybrid", "query_hybrid", "trace_hybrid", 12, true};
+    return {"d-hybrid", TopQuery::hybrid, "trace_hybrid", 12, true};
 }
 
 class TopTechnique final : public Technique {
 public:
-    explicit TopTechnique(TopQuery query) : variant_(variantOf(query)) {
+    explicit TopTechnique(TopTechniqueName name) : variant_(variantOf(name)) {
         info_.name = variant_.name;
         info_.paper = "Deep Partitioned Shadow Volumes, EGSR 2016";
         info_.precisions = {Precision::published, Precision::conservative, Precision::certified};
@@ -50,37 +49,35 @@ public:
 
     const TechniqueInfo& info() const override { return info_; }
 
-    TechniqueResult run(const FrameInputs& inputs, StructureCache& structures, const Settings& settings, const RunOptions& options) override {
-        const TopTreeOptions treeOptions{options.precision, settings.number("seed"), settings.number("group"),
-                                         options.repeat,    options.warmUp,          options.counters};
-        const std::string key = fmt::format("top {} {} {}", name(options.precision), treeOptions.seed, treeOptions.groupSize);
-        const TopTree& tree = structures.get<TopTree>(key, [&] { return std::make_shared<TopTree>(inputs, treeOptions); });
+    std::string structureKey(const FrameInputs&, const Settings& settings, const RunOptions&) const override {
+        return fmt::format("top {} {}", settings.number("seed"), settings.number("group"));
+    }
 
-        TechniqueResult result;
-        result.passes = tree.passes();
+    std::unique_ptr<Structure> makeStructure(const FrameInputs&, const Settings& settings, const RunOptions& options) const override {
+        return std::make_unique<TopTree>(TopOptions{uint32_t(options.precision), settings.number("seed"), settings.number("group")});
+    }
+
+    Query query(const Structure& structure, const FrameInputs& inputs, const Settings& settings, const RunOptions& options) const override {
+        return {topQueryPasses(inputs.width(), inputs.height(), queryOptions(settings, options)),
+                dynamic_cast<const TopTree&>(structure).bindings()};
+    }
+
+    void read(const Structure& structure, const FrameInputs& inputs, const Settings& settings, const RunOptions& options,
+              TechniqueResult& result) const override {
+        const auto& tree = dynamic_cast<const TopTree&>(structure);
         result.bytes = {{"tree", tree.bytes()}};
-        ask(inputs,
-            {std::string("top/examples/") + variant_.shader,
-             constants(settings, options),
-             {{"gnoTopPlanes", &tree.planes()}, {"gnoTopLinks", &tree.links()}, {"gnoTopHeader", &tree.header()}},
-             "top_query",
-             settings.word("stage") == "fragment"},
-            options, result);
         result.counters.dropped = tree.counters().dropped;
         result.counters.more = {
             {"inserted", tree.counters().inserted}, {"build_steps", tree.counters().steps}, {"intersection_steps", tree.counters().intersections}};
-        if (options.dump) {
-            result.dump.push_back({"planes", "vec4 plane[4 * casters]", tree.planes().download(), 4});
-            result.dump.push_back({"links", "GnoTopLink link[4 * casters]", tree.links().download(), 4});
-            result.dump.push_back({"header", "GnoTopHeader", tree.header().download(), 4});
-            if (options.counters) {
-                const TracedPixel pixel = tracedPixel(inputs, options, result);
-                for (DumpedBuffer& buffer : traceTopQuery(inputs, tree, variant_.trace, constants(settings, options), pixel))
-                    result.dump.push_back(std::move(buffer));
-                result.traced = options.trace;
-            }
-        }
-        return result;
+        if (!options.dump) return;
+        result.dump.push_back({"planes", "vec4 plane[4 * casters]", tree.planes().download(), 4});
+        result.dump.push_back({"links", "GnoTopLink link[4 * casters]", tree.links().download(), 4});
+        result.dump.push_back({"header", "GnoTopHeader", tree.header().download(), 4});
+        if (!options.counters) return;
+        const TracedPixel pixel = tracedPixel(inputs, options, result);
+        const Pass asked = topQueryPasses(inputs.width(), inputs.height(), queryOptions(settings, options)).front();
+        for (DumpedBuffer& buffer : traceTopQuery(inputs, tree, variant_.trace, asked, pixel)) result.dump.push_back(std::move(buffer));
+        result.traced = options.trace;
     }
 
 private:
@@ -90,10 +87,12 @@ private:
         return {*options.trace, result.visitedNodes[size_t(options.trace->y) * inputs.width() + options.trace->x]};
     }
 
-    Specialization constants(const Settings& settings, const RunOptions& options) const {
-        Specialization result{{0, uint32_t(options.precision)}, {2, variant_.depthTest ? 1u : 0u}};
-        if (variant_.stack > 0) result[1] = settings.number("stack");
-        return result;
+    TopQueryOptions queryOptions(const Settings& settings, const RunOptions& options) const {
+        return {.query = variant_.query,
+                .precision = uint32_t(options.precision),
+                .stack = variant_.stack > 0 ? settings.number("stack") : 0,
+                .depthTest = variant_.depthTest,
+                .fragment = settings.word("stage") == "fragment"};
     }
 
     Variant variant_;
@@ -102,6 +101,6 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Technique> makeTopTechnique(TopQuery query) { return std::make_unique<TopTechnique>(query); }
+std::unique_ptr<Technique> makeTopTechnique(TopTechniqueName name) { return std::make_unique<TopTechnique>(name); }
 
 }  // namespace gno::host

@@ -7,8 +7,8 @@
 
 namespace gno::host {
 
-enum class TopQuery { psv, dPsv, dStackless, dHybrid };
+enum class TopTechniqueName { psv, dPsv, dStackless, dHybrid };
 
-std::unique_ptr<Technique> makeTopTechnique(TopQuery query);
+std::unique_ptr<Technique> makeTopTechnique(TopTechniqueName name);
 
 }  // namespace gno::host

@@ -9,7 +9,7 @@
 
 namespace gno::host {
 
-std::vector<DumpedBuffer> traceTopQuery(const FrameInputs& inputs, const TopTree& tree, const std::string& shader, const Specialization& constants,
+std::vector<DumpedBuffer> traceTopQuery(const FrameInputs& inputs, const TopTree& tree, const std::string& shader, const Pass& asked,
                                         const TracedPixel& traced) {
     constexpr size_t kHeader = 4;  // words: pixel x, y, nodes logged, room for them
     Buffer visits(inputs.device(), std::max<uint64_t>(1, 4 * uint64_t(inputs.triangleCount())) * 4);
@@ -23,15 +23,15 @@ std::vector<DumpedBuffer> traceTopQuery(const FrameInputs& inputs, const TopTree
     Image visibility(inputs.device(), inputs.width(), inputs.height(), vk::Format::eR32Uint);
     visibility.clear(vk::ClearColorValue(0u, 0u, 0u, 0u));
 
-    const ExamplePush push = inputs.push();
-    const std::array resources{Binding{"gnoCasters", &inputs.casters()}, Binding{"gnoTopPlanes", &tree.planes()},
-                               Binding{"gnoTopLinks", &tree.links()},    Binding{"gnoTopHeader", &tree.header()},
-                               Binding{"gnoSamples", &inputs.samples()}, Binding{"gnoVisibility", &visibility},
-                               Binding{"gnoTopVisits", &visits},         Binding{"gnoTopTrace", &trace}};
+    std::vector<Binding> resources = inputs.withCasters(tree.bindings());
+    resources.insert(resources.end(), {{"gnoVisibility", &visibility}, {"gnoTopVisits", &visits}, {"gnoTopTrace", &trace}});
+    const std::string path = fmt::format("top/examples/{}.comp", shader);
+    Pass pass = asked;
+    pass.shader = path;
+    pass.kind = PassKind::compute;
+    const PassRunner runner(inputs.passes(), {pass}, resources);  // its descriptor sets outlive the submission
     Recording recording(inputs.device());
-    inputs.passes()
-        .compute(fmt::format("top/examples/{}.comp", shader), constants)
-        .dispatch(recording, resources, std::as_bytes(std::span(&push, 1)), (inputs.width() + 7) / 8, (inputs.height() + 7) / 8);
+    runner.record(recording, inputs.push());
     recording.submit();
 
     words = trace.downloadAs<uint32_t>();

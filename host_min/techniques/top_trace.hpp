@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "host_min/techniques/technique.hpp"
 #include "host_min/techniques/top_tree.hpp"
 
 namespace gno::host {
@@ -14,9 +15,10 @@ struct TracedPixel {
     uint32_t nodes = 0;                                      ///< that its query visits
 };
 
-/// `shader` of glsl/top/examples, without its ending. Returns "visits" (uint per node), and, when a pixel is traced, "trace" (uvec2 node,
-/// GNO_TOP_TRACE_* of glsl/top/examples/trace.glsl). Throws WorkError when the query visits another number of nodes than the instrumented one did.
-std::vector<DumpedBuffer> traceTopQuery(const FrameInputs& inputs, const TopTree& tree, const std::string& shader, const Specialization& constants,
+/// `shader` of glsl/top/examples, without its ending; `asked` the pass of the query that it logs. Returns "visits" (uint per node), and, when a
+/// pixel is traced, "trace" (uvec2 node, GNO_TOP_TRACE_* of glsl/top/examples/trace.glsl). Throws WorkError when the query visits another number of
+/// nodes than the instrumented one did.
+std::vector<DumpedBuffer> traceTopQuery(const FrameInputs& inputs, const TopTree& tree, const std::string& shader, const Pass& asked,
                                         const TracedPixel& traced);
 
 }  // namespace gno::host

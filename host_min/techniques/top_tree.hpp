@@ -1,43 +1,40 @@
 // SPDX-License-Identifier: MIT
-// A TOP tree on the device, built with glsl/top as any engine would.
+// A TOP tree on the device, built by the pass list of glsl/top/passes.hpp.
 #pragma once
 #include <vector>
 
 #include "glsl/top/node.h"
-#include "host_min/output/record.hpp"
-#include "host_min/techniques/technique.hpp"
+#include "glsl/top/passes.hpp"
+#include "host_min/frame/pass_runner.hpp"
+#include "host_min/techniques/array_buffers.hpp"
+#include "host_min/techniques/structure.hpp"
 
 namespace gno::host {
-
-struct TopTreeOptions {
-    Precision precision = Precision::certified;
-    uint32_t seed = 1;  ///< of the insertion order
-    uint32_t groupSize = kTopGroupSize;
-    uint32_t repeat = 1;
-    bool warmUp = true;
-    bool counters = true;
-};
 
 struct TopBuildCounters {
     uint64_t steps = 0, intersections = 0, dropped = 0, inserted = 0;
 };
 
-class TopTree {
+class TopTree final : public Structure {
 public:
-    TopTree(const FrameInputs& inputs, const TopTreeOptions& options);
+    explicit TopTree(const TopOptions& options) : options_(options) {}
 
-    [[nodiscard]] const Buffer& planes() const { return planes_; }
-    [[nodiscard]] const Buffer& links() const { return links_; }
-    [[nodiscard]] const Buffer& header() const { return header_; }
-    [[nodiscard]] const std::vector<RecordPass>& passes() const { return passes_; }  ///< caster_setup, top_setup, top_build
+    void prepare(const FrameInputs& inputs) override;
+    void record(Recording& recording, uint32_t segment) const override;
+    void count() override;
+
+    [[nodiscard]] const Buffer& planes() const { return arrays_["gnoTopPlanes"]; }
+    [[nodiscard]] const Buffer& links() const { return arrays_["gnoTopLinks"]; }
+    [[nodiscard]] const Buffer& header() const { return arrays_["gnoTopHeader"]; }
+    [[nodiscard]] std::vector<Binding> bindings() const { return arrays_.bindings(); }
     [[nodiscard]] const TopBuildCounters& counters() const { return counters_; }
-    [[nodiscard]] uint64_t bytes() const;
+    [[nodiscard]] uint64_t bytes() const { return arrays_.bytes({"gnoTopPlanes", "gnoTopLinks", "gnoTopHeader"}); }
 
 private:
-    void record(Recording& recording, const FrameInputs& inputs, const TopTreeOptions& options, const Buffer* totals) const;
-
-    Buffer planes_, links_, header_;
-    std::vector<RecordPass> passes_;
+    TopOptions options_;
+    const FrameInputs* inputs_ = nullptr;
+    ArrayBuffers arrays_;
+    PassRunner passes_;
     TopBuildCounters counters_;
 };
 

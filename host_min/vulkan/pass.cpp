@@ -81,9 +81,20 @@ PassLayout::PassLayout(const Device& device, std::span<const ShaderInterface> st
     layout_ = vk::raii::PipelineLayout(device.handle(), info);
 }
 
-void PassLayout::bind(Recording& recording, vk::PipelineBindPoint point, std::span<const Binding> resources, std::span<const std::byte> push) const {
-    std::vector<vk::DescriptorSet> sets;
-    for (const auto& layout : sets_) sets.push_back(recording.allocateSet(*layout));
+BoundSets PassLayout::bound(std::span<const Binding> resources) const {
+    BoundSets result;
+    if (sets_.empty()) return result;
+    std::map<vk::DescriptorType, uint32_t> counts;
+    for (const ShaderBinding& binding : bindings_) ++counts[binding.type];
+    std::vector<vk::DescriptorPoolSize> sizes;
+    for (const auto& [type, count] : counts) sizes.emplace_back(type, count);
+    if (sizes.empty()) sizes.emplace_back(vk::DescriptorType::eStorageBuffer, 1);  // empty sets, but sets
+    result.pool_ = vk::raii::DescriptorPool(device_->handle(), vk::DescriptorPoolCreateInfo({}, uint32_t(sets_.size()), sizes));
+    std::vector<vk::DescriptorSetLayout> layouts;
+    for (const auto& layout : sets_) layouts.push_back(*layout);
+    const vk::DescriptorSetAllocateInfo info(*result.pool_, layouts);
+    result.sets_ = (*device_->handle()).allocateDescriptorSets(info, *device_->handle().getDispatcher());  // freed with their pool
+
     std::vector<vk::DescriptorBufferInfo> buffers(bindings_.size());
     std::vector<vk::DescriptorImageInfo> images(bindings_.size());
     std::vector<vk::AccelerationStructureKHR> structures(bindings_.size());
@@ -93,9 +104,12 @@ void PassLayout::bind(Recording& recording, vk::PipelineBindPoint point, std::sp
         const ShaderBinding& wanted = bindings_[i];
         const auto given = std::find_if(resources.begin(), resources.end(), [&](const Binding& b) { return b.name == wanted.name; });
         if (given == resources.end()) throw std::logic_error("nothing bound to " + wanted.name);
-        vk::WriteDescriptorSet write(sets[wanted.set], wanted.binding, 0, 1, wanted.type);
+        vk::WriteDescriptorSet write(result.sets_[wanted.set], wanted.binding, 0, 1, wanted.type);
         if (const auto* buffer = std::get_if<const Buffer*>(&given->resource)) {
             buffers[i] = vk::DescriptorBufferInfo((*buffer)->handle(), 0, VK_WHOLE_SIZE);
+            write.pBufferInfo = &buffers[i];
+        } else if (const auto* part = std::get_if<BufferPart>(&given->resource)) {
+            buffers[i] = vk::DescriptorBufferInfo(part->buffer->handle(), part->offset, part->bytes);
             write.pBufferInfo = &buffers[i];
         } else if (const auto* structure = std::get_if<const AccelerationStructure*>(&given->resource)) {
             structures[i] = (*structure)->handle();
@@ -108,10 +122,35 @@ void PassLayout::bind(Recording& recording, vk::PipelineBindPoint point, std::sp
         writes.push_back(write);
     }
     device_->handle().updateDescriptorSets(writes, {});
-    if (!sets.empty()) recording.commands().bindDescriptorSets(point, *layout_, 0, sets, {});
+    return result;
+}
+
+void PassLayout::bind(Recording& recording, vk::PipelineBindPoint point, const BoundSets& sets, std::span<const std::byte> push) const {
+    if (!sets.sets_.empty()) recording.commands().bindDescriptorSets(point, *layout_, 0, sets.sets_, {});
     if (pushBytes_ == 0) return;
     if (push.size() < pushBytes_) throw std::logic_error("push constants are smaller than the shader's block");
     recording.commands().pushConstants(*layout_, pushStages_, 0, pushBytes_, push.data());
+}
+
+void PassLayout::bind(Recording& recording, vk::PipelineBindPoint point, std::span<const Binding> resources, std::span<const std::byte> push) const {
+    BoundSets sets = bound(resources);
+    bind(recording, point, sets, push);
+    keep(recording, std::move(sets));
+}
+
+void PassLayout::keep(Recording& recording, BoundSets sets) const { recording.keep(std::move(sets.pool_)); }
+
+Specialization specialize(std::span<const std::string_view> shaders, std::span<const Constant> constants) {
+    std::map<std::string, uint32_t, std::less<>> ids;
+    for (const std::string_view shader : shaders)
+        for (const auto& [id, name] : reflect(embeddedShader(shader)).specialization) ids[name] = id;
+    Specialization result;
+    for (const Constant& constant : constants) {
+        const auto found = ids.find(constant.name);
+        if (found == ids.end()) throw std::logic_error(std::string(shaders.front()) + " has no constant " + std::string(constant.name));
+        result[found->second] = constant.value;
+    }
+    return result;
 }
 
 ComputePass::ComputePass(const Device& device, std::string_view shader, const Specialization& constants)
@@ -170,6 +209,20 @@ RasterPass::RasterPass(const Device& device, std::string_view vertex, std::strin
 
 void RasterPass::draw(Recording& recording, std::span<const Target> colors, const Image* depth, std::span<const Binding> resources,
                       std::span<const std::byte> push, uint32_t vertices) const {
+    BoundSets sets = layout_.bound(resources);
+    draw(recording, colors, depth, sets, push, vertices);
+    layout_.keep(recording, std::move(sets));
+}
+
+void RasterPass::drawDepth(Recording& recording, const Image& depth, uint32_t layer, float slopeBias, std::span<const Binding> resources,
+                           std::span<const std::byte> push, uint32_t vertices) const {
+    BoundSets sets = layout_.bound(resources);
+    drawDepth(recording, depth, layer, slopeBias, sets, push, vertices);
+    layout_.keep(recording, std::move(sets));
+}
+
+void RasterPass::draw(Recording& recording, std::span<const Target> colors, const Image* depth, const BoundSets& sets,
+                      std::span<const std::byte> push, uint32_t vertices) const {
     std::vector<vk::RenderingAttachmentInfo> attachments;
     for (const Target& target : colors)
         attachments.emplace_back(target.image->view(), vk::ImageLayout::eGeneral, vk::ResolveModeFlagBits::eNone, nullptr,
@@ -184,20 +237,20 @@ void RasterPass::draw(Recording& recording, std::span<const Target> colors, cons
                                                       vk::ClearValue(vk::ClearDepthStencilValue(0.0f, 0)));
         rendering.pDepthAttachment = &depthAttachment;
     }
-    drawInto(recording, rendering, 0, resources, push, vertices, 0);
+    drawInto(recording, rendering, 0, sets, push, vertices, 0);
 }
 
-void RasterPass::drawDepth(Recording& recording, const Image& depth, uint32_t layer, float slopeBias, std::span<const Binding> resources,
+void RasterPass::drawDepth(Recording& recording, const Image& depth, uint32_t layer, float slopeBias, const BoundSets& sets,
                            std::span<const std::byte> push, uint32_t vertices) const {
     const vk::RenderingAttachmentInfo attachment(depth.layer(layer), vk::ImageLayout::eGeneral, vk::ResolveModeFlagBits::eNone, nullptr,
                                                  vk::ImageLayout::eUndefined, vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore,
                                                  vk::ClearValue(vk::ClearDepthStencilValue(0.0f, 0)));
     vk::RenderingInfo rendering({}, vk::Rect2D({0, 0}, depth.extent()), 1, 0);
     rendering.pDepthAttachment = &attachment;
-    drawInto(recording, rendering, slopeBias, resources, push, vertices, layer);
+    drawInto(recording, rendering, slopeBias, sets, push, vertices, layer);
 }
 
-void RasterPass::drawInto(Recording& recording, const vk::RenderingInfo& rendering, float slopeBias, std::span<const Binding> resources,
+void RasterPass::drawInto(Recording& recording, const vk::RenderingInfo& rendering, float slopeBias, const BoundSets& sets,
                           std::span<const std::byte> push, uint32_t vertices, uint32_t instance) const {
     const vk::Extent2D extent = rendering.renderArea.extent;
     const vk::CommandBuffer commands = recording.commands();
@@ -206,7 +259,7 @@ void RasterPass::drawInto(Recording& recording, const vk::RenderingInfo& renderi
     commands.setViewport(0, vk::Viewport(0, 0, float(extent.width), float(extent.height), 0, 1));
     commands.setScissor(0, vk::Rect2D({0, 0}, extent));
     if (depthOnly_) commands.setDepthBias(0, 0, slopeBias);
-    layout_.bind(recording, vk::PipelineBindPoint::eGraphics, resources, push);
+    layout_.bind(recording, vk::PipelineBindPoint::eGraphics, sets, push);
     commands.draw(vertices, 1, 0, instance);
     commands.endRendering();
 }

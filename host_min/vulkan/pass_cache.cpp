@@ -5,7 +5,10 @@ namespace gno::host {
 
 const ComputePass& PassCache::compute(const std::string& shader, const Specialization& constants) {
     auto& pass = compute_[{shader, constants}];
-    if (!pass) pass = std::make_unique<ComputePass>(device_, shader, constants);
+    if (pass) return *pass;
+    const auto other = substitutes_.find(shader);
+    pass = other == substitutes_.end() ? std::make_unique<ComputePass>(device_, shader, constants)
+                                       : std::make_unique<ComputePass>(device_, std::span<const uint32_t>(other->second), constants);
     return *pass;
 }
 

@@ -11,7 +11,6 @@
 namespace gno::host {
 namespace {
 constexpr uint32_t kMaxPasses = 32;
-constexpr uint32_t kSetsPerPool = 16;
 }  // namespace
 
 Recording::Recording(const Device& device)
@@ -20,24 +19,10 @@ Recording::Recording(const Device& device)
     commands_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
 }
 
-vk::DescriptorSet Recording::allocateSet(vk::DescriptorSetLayout layout) {
-    const auto allocate = [&] {
-        const vk::DescriptorSetAllocateInfo info(*descriptorPools_.back(), layout);
-        return (*device_.handle()).allocateDescriptorSets(info, *device_.handle().getDispatcher()).front();  // freed with its pool
-    };
-    if (!descriptorPools_.empty()) {
-        try {
-            return allocate();
-        } catch (const vk::OutOfPoolMemoryError&) {  // take another pool
-        }
-    }
-    std::vector sizes{vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, 8 * kSetsPerPool),
-                      vk::DescriptorPoolSize(vk::DescriptorType::eUniformBuffer, 2 * kSetsPerPool),
-                      vk::DescriptorPoolSize(vk::DescriptorType::eStorageImage, 4 * kSetsPerPool),
-                      vk::DescriptorPoolSize(vk::DescriptorType::eCombinedImageSampler, kSetsPerPool)};
-    if (device_.facts().rayQuery) sizes.emplace_back(vk::DescriptorType::eAccelerationStructureKHR, kSetsPerPool);
-    descriptorPools_.emplace_back(device_.handle(), vk::DescriptorPoolCreateInfo({}, kSetsPerPool, sizes));
-    return allocate();
+void Recording::barrier(const MemoryBarrier& words) {
+    const vk::MemoryBarrier2 memory{vk::PipelineStageFlags2(words.srcStages), vk::AccessFlags2(words.srcAccess),
+                                    vk::PipelineStageFlags2(words.dstStages), vk::AccessFlags2(words.dstAccess)};
+    commands_.pipelineBarrier2(vk::DependencyInfo({}, memory));
 }
 
 void Recording::barrier() {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "glsl/core/pass.hpp"
 #include "host_min/vulkan/device.hpp"
 
 namespace gno::host {
@@ -22,10 +23,11 @@ public:
     [[nodiscard]] vk::CommandBuffer commands() const { return *commands_; }
     [[nodiscard]] const Device& device() const { return device_; }
 
-    /// A descriptor set that lives as long as this recording.
-    vk::DescriptorSet allocateSet(vk::DescriptorSetLayout layout);
+    /// Descriptor sets that live as long as this recording.
+    void keep(vk::raii::DescriptorPool sets) { descriptorPools_.push_back(std::move(sets)); }
 
-    void barrier();                      ///< everything before is visible to everything after
+    void barrier();  ///< everything before is visible to everything after
+    void barrier(const MemoryBarrier& words);
     void toGeneral(const Image& image);  ///< from undefined: contents are lost
     void beginPass(std::string name);    ///< barrier and first time stamp
     void endPass();

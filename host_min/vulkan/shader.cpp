@@ -65,6 +65,9 @@ ShaderInterface reflect(std::span<const uint32_t> spirv) {
         result.pushConstantBytes = uint32_t(compiler.get_declared_struct_size(compiler.get_type(resource.base_type_id)));
     for (const spirv_cross::SpecializationConstant& constant : compiler.get_specialization_constants())
         result.specialization[constant.constant_id] = compiler.get_name(constant.id);
+    spirv_cross::SpecializationConstant size[3];
+    compiler.get_work_group_size_specialization_constants(size[0], size[1], size[2]);
+    if (size[0].id != 0) result.specialization[size[0].constant_id] = "kGroupSize";  // the language gives it no name
     return result;
 }
 

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "host_min/techniques/structure.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+#include "host_min/error.hpp"
+#include "host_min/interrupt.hpp"
+#include "host_min/techniques/measure.hpp"
+
+namespace gno::host {
+namespace {
+
+constexpr uint32_t kMostReruns = 3;
+
+std::vector<PassTime> once(Structure& structure, const Device& device) {
+    throwIfInterrupted();
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<PassTime> times;
+    double onDevice = 0;
+    for (uint32_t segment = 0; segment < structure.segments(); ++segment) {
+        Recording recording(device);
+        structure.record(recording, segment);
+        for (PassTime& time : recording.submit()) {
+            onDevice += time.ms;
+            times.push_back(std::move(time));
+        }
+        if (segment + 1 < structure.segments()) structure.between(segment);
+    }
+    if (structure.segments() > 1) {
+        const double all = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        times.push_back({"host_wait", std::max(0.0, all - onDevice)});
+    }
+    return times;
+}
+
+}  // namespace
+
+void Structure::between(uint32_t) { throw std::logic_error("a structure of several segments must say what the host does between them"); }
+
+void build(Structure& structure, const FrameInputs& inputs, const BuildOptions& options) {
+    std::vector<std::vector<PassTime>> runs;
+    for (structure.reruns_ = 0;; ++structure.reruns_) {
+        structure.prepare(inputs);
+        runs.assign(1, once(structure, inputs.device()));
+        if (structure.read()) break;
+        if (structure.reruns_ == kMostReruns) throw InputError("a structure is still not complete after its pool was enlarged three times");
+    }
+    if (options.warmUp) runs.clear();
+    while (runs.size() < std::max(options.repeat, 1u)) runs.push_back(once(structure, inputs.device()));
+    structure.passes_ = {{inputs.casterSetUp().name, inputs.casterSetUp().ms}};
+    for (const PassTime& time : medianOf(runs)) structure.passes_.push_back({time.name, time.ms});
+    if (options.counters) structure.count();
+}
+
+}  // namespace gno::host
