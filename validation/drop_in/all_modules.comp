@@ -16,24 +16,31 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_SORT_SORTED_VALUES gnoLightBvhParents.v
 #define GNO_SORT_COUNTS gnoLightBvhSums.v
 #define GNO_PREFIX_WORDS gnoLightBvhSums.v
-#define GNO_LIGHT_BVH_BUILD 1
 #define GNO_CLUSTER_LOAD_SAMPLE(pixel_) GnoViewSample(push.position.xyz, uint((pixel_).x))
 #include "gnomon/core/bindings.glsl"
 #include "gnomon/core/caster_state.glsl"
 #include "gnomon/core/counters.glsl"
+#include "gnomon/core/debug.glsl"
 #include "gnomon/core/decide.glsl"
 #include "gnomon/core/hit_weights.glsl"
 #include "gnomon/core/int128.glsl"
 #include "gnomon/core/light.glsl"
 #include "gnomon/core/material.h"
+#define GNO_TRANSMITTANCE_ADDS 1
 #include "gnomon/core/material_bindings.glsl"
 #include "gnomon/core/orient3d.glsl"
 #include "gnomon/core/permutation.glsl"
 #include "gnomon/core/portable.h"
 #include "gnomon/core/sample.glsl"
+#include "gnomon/core/sample_from_depth.glsl"
 #include "gnomon/core/shared_types.h"
+#include "gnomon/core/state.h"
+#include "gnomon/core/version.h"
 #include "gnomon/core/transmittance.glsl"
 #include "gnomon/core/transmittance_sum.glsl"
+#include "gnomon/core/version.h"
+#include "gnomon/core/constant_ids.h"
+#define GNO_CLUSTER_BUILDS 1
 #include "gnomon/clusters/bindings.glsl"
 #include "gnomon/clusters/bounds.glsl"
 #include "gnomon/clusters/build.glsl"
@@ -43,10 +50,13 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/clusters/nodes.glsl"
 #include "gnomon/clusters/traverse.glsl"
 #include "gnomon/clusters/volume.glsl"
+#define GNO_FOREST_TREES 0
+#define GNO_FOREST_BUILDS 1
 #include "gnomon/forest/bindings.glsl"
 #include "gnomon/forest/assign.glsl"
 #include "gnomon/forest/cells.glsl"
 #include "gnomon/forest/cells.h"
+#define GNO_LIGHT_GRID_BUILDS 1
 #include "gnomon/rivals/light_grid_bindings.glsl"
 #include "gnomon/rivals/light_grid.h"
 #include "gnomon/rivals/light_grid_build.glsl"
@@ -54,6 +64,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/rivals/light_grid_planes.glsl"
 #include "gnomon/rivals/light_grid_query.glsl"
 #include "gnomon/rivals/light_grid_sort.glsl"
+#define GNO_LIGHT_BVH_BUILDS 1
 #include "gnomon/rivals/light_bvh_bindings.glsl"
 #include "gnomon/rivals/light_bvh.h"
 #include "gnomon/rivals/light_bvh_bounds.glsl"
@@ -69,6 +80,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/shadow_map/project.glsl"
 #include "gnomon/shadow_map/query.glsl"
 #include "gnomon/shadow_map/view.h"
+#define GNO_TOP_BUILDS 1
 #include "gnomon/top/bindings.glsl"
 #include "gnomon/top/build.glsl"
 #include "gnomon/top/node.h"

@@ -16,13 +16,18 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_SORT_SORTED_VALUES gnoLightBvhParents.v
 #define GNO_SORT_COUNTS gnoLightBvhSums.v
 #define GNO_PREFIX_WORDS gnoLightBvhSums.v
-#define GNO_LIGHT_BVH_BUILD 1
 #define GNO_CLUSTER_LOAD_SAMPLE(pixel_) GnoViewSample(push.position.xyz, uint((pixel_).x))
 #include "gnomon/core/bindings.glsl"
+#define GNO_TRANSMITTANCE_ADDS 1
 #include "gnomon/core/material_bindings.glsl"
+#define GNO_TOP_BUILDS 1
 #include "gnomon/top/bindings.glsl"
+#define GNO_CLUSTER_BUILDS 1
 #include "gnomon/clusters/bindings.glsl"
+#define GNO_FOREST_TREES 0
+#define GNO_FOREST_BUILDS 1
 #include "gnomon/forest/bindings.glsl"
+#define GNO_LIGHT_BVH_BUILDS 1
 #include "gnomon/rivals/light_bvh_bindings.glsl"
 #include "gnomon/shadow_map/map_bindings.glsl"
 #include "gnomon/shadow_map/bindings.glsl"
@@ -49,6 +54,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/top/node.h"
 #include "gnomon/top/build.glsl"
 #include "gnomon/rivals/ray_query_index.glsl"
+#define GNO_LIGHT_GRID_BUILDS 1
 #include "gnomon/rivals/light_grid_bindings.glsl"
 #include "gnomon/rivals/light_grid_sort.glsl"
 #include "gnomon/rivals/light_grid_query.glsl"
@@ -63,9 +69,14 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/core/radix_sort.h"
 #include "gnomon/core/radix_sort.glsl"
 #include "gnomon/core/prefix_sum.glsl"
+#include "gnomon/core/version.h"
+#include "gnomon/core/constant_ids.h"
 #include "gnomon/core/transmittance_sum.glsl"
 #include "gnomon/core/transmittance.glsl"
+#include "gnomon/core/version.h"
+#include "gnomon/core/state.h"
 #include "gnomon/core/shared_types.h"
+#include "gnomon/core/sample_from_depth.glsl"
 #include "gnomon/core/sample.glsl"
 #include "gnomon/core/portable.h"
 #include "gnomon/core/permutation.glsl"
@@ -75,6 +86,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/core/int128.glsl"
 #include "gnomon/core/hit_weights.glsl"
 #include "gnomon/core/decide.glsl"
+#include "gnomon/core/debug.glsl"
 #include "gnomon/core/counters.glsl"
 #include "gnomon/core/caster_state.glsl"
 layout(local_size_x = 64) in;

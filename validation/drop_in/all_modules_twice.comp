@@ -3,7 +3,7 @@
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_ballot : require
 // SPDX-License-Identifier: MIT
-// Every module included twice: guards hold.
+// Every module included twice but for the bindings, which refuse that: guards hold.
 layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
 #define GNO_LIGHT push.light
 #define GNO_CLUSTER_FORM GNO_CLUSTER_COMPACT
@@ -16,14 +16,14 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_SORT_SORTED_VALUES gnoLightBvhParents.v
 #define GNO_SORT_COUNTS gnoLightBvhSums.v
 #define GNO_PREFIX_WORDS gnoLightBvhSums.v
-#define GNO_LIGHT_BVH_BUILD 1
 #define GNO_CLUSTER_LOAD_SAMPLE(pixel_) GnoViewSample(push.position.xyz, uint((pixel_).x))
 #include "gnomon/core/bindings.glsl"
-#include "gnomon/core/bindings.glsl"
 #include "gnomon/core/caster_state.glsl"
 #include "gnomon/core/caster_state.glsl"
 #include "gnomon/core/counters.glsl"
 #include "gnomon/core/counters.glsl"
+#include "gnomon/core/debug.glsl"
+#include "gnomon/core/debug.glsl"
 #include "gnomon/core/decide.glsl"
 #include "gnomon/core/decide.glsl"
 #include "gnomon/core/hit_weights.glsl"
@@ -34,7 +34,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/core/light.glsl"
 #include "gnomon/core/material.h"
 #include "gnomon/core/material.h"
-#include "gnomon/core/material_bindings.glsl"
+#define GNO_TRANSMITTANCE_ADDS 1
 #include "gnomon/core/material_bindings.glsl"
 #include "gnomon/core/orient3d.glsl"
 #include "gnomon/core/orient3d.glsl"
@@ -44,13 +44,23 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/core/portable.h"
 #include "gnomon/core/sample.glsl"
 #include "gnomon/core/sample.glsl"
+#include "gnomon/core/sample_from_depth.glsl"
+#include "gnomon/core/sample_from_depth.glsl"
 #include "gnomon/core/shared_types.h"
 #include "gnomon/core/shared_types.h"
+#include "gnomon/core/state.h"
+#include "gnomon/core/state.h"
+#include "gnomon/core/version.h"
+#include "gnomon/core/version.h"
 #include "gnomon/core/transmittance.glsl"
 #include "gnomon/core/transmittance.glsl"
 #include "gnomon/core/transmittance_sum.glsl"
+#include "gnomon/core/version.h"
+#include "gnomon/core/constant_ids.h"
 #include "gnomon/core/transmittance_sum.glsl"
-#include "gnomon/clusters/bindings.glsl"
+#include "gnomon/core/version.h"
+#include "gnomon/core/constant_ids.h"
+#define GNO_CLUSTER_BUILDS 1
 #include "gnomon/clusters/bindings.glsl"
 #include "gnomon/clusters/bounds.glsl"
 #include "gnomon/clusters/bounds.glsl"
@@ -68,7 +78,8 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/clusters/traverse.glsl"
 #include "gnomon/clusters/volume.glsl"
 #include "gnomon/clusters/volume.glsl"
-#include "gnomon/forest/bindings.glsl"
+#define GNO_FOREST_TREES 0
+#define GNO_FOREST_BUILDS 1
 #include "gnomon/forest/bindings.glsl"
 #include "gnomon/forest/assign.glsl"
 #include "gnomon/forest/assign.glsl"
@@ -76,7 +87,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/forest/cells.glsl"
 #include "gnomon/forest/cells.h"
 #include "gnomon/forest/cells.h"
-#include "gnomon/rivals/light_grid_bindings.glsl"
+#define GNO_LIGHT_GRID_BUILDS 1
 #include "gnomon/rivals/light_grid_bindings.glsl"
 #include "gnomon/rivals/light_grid.h"
 #include "gnomon/rivals/light_grid.h"
@@ -90,7 +101,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/rivals/light_grid_query.glsl"
 #include "gnomon/rivals/light_grid_sort.glsl"
 #include "gnomon/rivals/light_grid_sort.glsl"
-#include "gnomon/rivals/light_bvh_bindings.glsl"
+#define GNO_LIGHT_BVH_BUILDS 1
 #include "gnomon/rivals/light_bvh_bindings.glsl"
 #include "gnomon/rivals/light_bvh.h"
 #include "gnomon/rivals/light_bvh.h"
@@ -109,8 +120,6 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/rivals/ray_query_index.glsl"
 #include "gnomon/rivals/ray_query_index.glsl"
 #include "gnomon/shadow_map/bindings.glsl"
-#include "gnomon/shadow_map/bindings.glsl"
-#include "gnomon/shadow_map/map_bindings.glsl"
 #include "gnomon/shadow_map/map_bindings.glsl"
 #include "gnomon/shadow_map/fit.glsl"
 #include "gnomon/shadow_map/fit.glsl"
@@ -120,7 +129,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "gnomon/shadow_map/query.glsl"
 #include "gnomon/shadow_map/view.h"
 #include "gnomon/shadow_map/view.h"
-#include "gnomon/top/bindings.glsl"
+#define GNO_TOP_BUILDS 1
 #include "gnomon/top/bindings.glsl"
 #include "gnomon/top/build.glsl"
 #include "gnomon/top/build.glsl"

@@ -4,6 +4,7 @@
 // Way A: our buffers, our numbers.
 layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
 #define GNO_CLUSTER_FORM GNO_CLUSTER_COMPACT
+#define GNO_CLUSTER_BUILDS 1
 #include "gnomon/clusters/bindings.glsl"
 #include "gnomon/clusters/build.glsl"
 layout(local_size_x = 64) in;

@@ -16,6 +16,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_CLUSTER_BINDING_VOLUMES 28
 #define GNO_CLUSTER_BINDING_INFO 29
 #define GNO_CLUSTER_BINDING_JOBS 30
+#define GNO_CLUSTER_BUILDS 1
 #include "gnomon/clusters/bindings.glsl"
 #include "gnomon/clusters/build.glsl"
 layout(local_size_x = 64) in;

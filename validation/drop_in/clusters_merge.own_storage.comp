@@ -44,6 +44,7 @@ GnoClusterLayout engineTree(float traps) { return engine.tree; }
 #define GNO_CLUSTER_HIGH engine.highs
 #define GNO_CLUSTER_POINTERS engine.pointers
 #define GNO_CLUSTER_SHADE engine.shade
+#define GNO_CLUSTER_STATE trapped(gnoClusterState(engine.header, engine.frame, engine.tree), TRAPS)
 #include "gnomon/clusters/merge.glsl"
 layout(local_size_x = 64) in;
 layout(set = 3, binding = 0, std430) writeonly buffer Results { vec4 v[]; } results;
@@ -51,6 +52,6 @@ layout(set = 3, binding = 0, std430) writeonly buffer Results { vec4 v[]; } resu
 void main() {
     uint number = gl_GlobalInvocationID.x;
     vec4 result;
-    result = vec4(gnoClusterInShadow(uvec2(push.count, push.seed), push.position.xyz));
+    result = vec4(gnoClusterAnswer(uvec2(push.count, push.seed), push.position.xyz));
     results.v[number] = result;
 }

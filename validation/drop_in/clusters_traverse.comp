@@ -9,6 +9,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_CLUSTER_FORM GNO_CLUSTER_COMPACT
 #include "gnomon/core/bindings.glsl"
 #include "gnomon/core/sample.glsl"
+#define GNO_CLUSTER_BUILDS 1
 #include "gnomon/clusters/bindings.glsl"
 layout(set = 2, binding = 0, rgba32ui) uniform readonly uimage2D samples;
 #define GNO_CLUSTER_LOAD_SAMPLE(pixel_) gnoUnpackViewSample(imageLoad(samples, pixel_))

@@ -28,6 +28,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_CLUSTER_LAYER(c_, t_, pixel_, p_) ((c_) > 3u && (t_).a.x < (p_).x && (pixel_).x > 1u)
 #include "gnomon/core/bindings.glsl"
 #include "gnomon/core/sample.glsl"
+#define GNO_CLUSTER_BUILDS 1
 #include "gnomon/clusters/bindings.glsl"
 layout(set = 3, binding = 0, rgba32ui) uniform readonly uimage2D samples;
 layout(set = 3, binding = 1, r32ui) uniform uimage2D tests;

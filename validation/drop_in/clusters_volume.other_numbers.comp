@@ -21,6 +21,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_CLUSTER_BINDING_JOBS 30
 #define GNO_PRECISION GNO_PRECISION_PUBLISHED
 #include "gnomon/core/bindings.glsl"
+#define GNO_CLUSTER_BUILDS 1
 #include "gnomon/clusters/bindings.glsl"
 #include "gnomon/clusters/volume.glsl"
 layout(local_size_x = 64) in;

@@ -38,6 +38,7 @@ GnoClusterLayout engineTree(float traps) { return engine.tree; }
 #define GNO_CLUSTER_FRAME engineFrame(TRAPS)
 #define GNO_CLUSTER_LAYOUT engineTree(TRAPS)
 #define GNO_CLUSTER_FORM trapped(engine.tree.form, TRAPS)
+#define GNO_CLUSTER_HEADER engine.header
 #define GNO_CLUSTER_VOLUMES engine.volumes
 #define GNO_CLUSTER_INFO engine.infos
 GnoCaster engineCaster(uint number) {

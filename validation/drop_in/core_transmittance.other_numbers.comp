@@ -10,6 +10,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_MATERIAL_BINDING_TEXELS 5
 #define GNO_MATERIAL_BINDING_SUMS 11
 #include "gnomon/core/bindings.glsl"
+#define GNO_TRANSMITTANCE_ADDS 1
 #include "gnomon/core/material_bindings.glsl"
 #include "gnomon/core/transmittance.glsl"
 #include "gnomon/core/transmittance_sum.glsl"

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 // core/transmittance_sum.glsl with our buffer.
 layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
+#define GNO_TRANSMITTANCE_ADDS 1
 #include "gnomon/core/material_bindings.glsl"
 #include "gnomon/core/transmittance_sum.glsl"
 layout(local_size_x = 64) in;

@@ -4,6 +4,7 @@
 // Every caster against every sample, one pair an invocation, in an order that a seed decides: a test adds up a whole scene with it.
 layout(push_constant) uniform Push { vec4 light; uint casters; uint samples; uint seed; } push;
 #include "gnomon/core/bindings.glsl"
+#define GNO_TRANSMITTANCE_ADDS 1
 #include "gnomon/core/material_bindings.glsl"
 #include "gnomon/core/orient3d.glsl"
 #include "gnomon/core/permutation.glsl"

@@ -11,6 +11,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_FOREST_BINDING_FEW 24
 #define GNO_LIGHT push.light
 #include "gnomon/core/bindings.glsl"
+#define GNO_FOREST_BUILDS 1
 #include "gnomon/forest/bindings.glsl"
 #include "gnomon/forest/assign.glsl"
 layout(local_size_x = 64) in;

@@ -8,6 +8,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 position; uint count; uint
 layout(set = 1, binding = 6, std430) readonly buffer Corners { vec4 corner[]; } corners;
 layout(set = 1, binding = 7, std430) coherent buffer Forest {
     GnoForestGrid grid;
+    GnoTopHeader trees;
     uvec2 standsIn[4096];
     uint roots[4096];
     vec4 planes[16384];
@@ -34,6 +35,8 @@ GnoTopNode engineNode(uint number) {
 uint engineRoot(vec3 seen, float traps) { return trapped(forest.roots[gnoCellOf(push.light, forest.grid, seen)], traps); }
 #define GNO_TOP_PLANES forest.planes
 #define GNO_TOP_LINKS forest.links
+#define GNO_TOP_HEADER forest.trees
+#define GNO_TOP_STATE trapped(gnoTopState(forest.trees), TRAPS)
 #define GNO_TOP_ROOT_OF(number) forest.roots[trapped(forest.standsIn[number].y, TRAPS)]
 #define GNO_TOP_CASTER_OF(number) forest.standsIn[trapped(number, TRAPS)].x
 #define GNO_TOP_FIND_ROOT(seen) engineRoot(seen, TRAPS)
@@ -51,6 +54,7 @@ layout(set = 3, binding = 0, std430) writeonly buffer Results { vec4 v[]; } resu
 
 void main() {
     uint number = gl_GlobalInvocationID.x;
+    if (number == 0u) gnoTopBegin(push.count, gnoState(GNO_PRECISION));
     gnoTopSetUp(number, gnoFacing(push.light, engineCaster(number)));
     bool inserted = gnoTopInsert(number);
     GnoViewSample sample_ = GnoViewSample(push.position.xyz, number);

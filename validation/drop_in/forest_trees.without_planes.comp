@@ -8,7 +8,9 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_TOP_BIND_PLANES 0
 #define GNO_TOP_BIND_SLABS 1
 #include "gnomon/core/bindings.glsl"
+#define GNO_FOREST_BUILDS 1
 #include "gnomon/forest/bindings.glsl"
+#define GNO_TOP_BUILDS 1
 #include "gnomon/top/bindings.glsl"
 #include "gnomon/top/build.glsl"
 #include "gnomon/top/query_hybrid.glsl"

@@ -8,11 +8,13 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #include "third_party/light and shade/core/permutation.glsl"
 #include "third_party/light and shade/core/sample.glsl"
 #include "third_party/light and shade/core/caster_state.glsl"
+#define GNO_TOP_BUILDS 1
 #include "third_party/light and shade/top/bindings.glsl"
 #include "third_party/light and shade/top/build.glsl"
 #include "third_party/light and shade/top/query_hybrid.glsl"
 #include "third_party/light and shade/top/query_stack.glsl"
 #define GNO_CLUSTER_FORM GNO_CLUSTER_COMPACT
+#define GNO_CLUSTER_BUILDS 1
 #include "third_party/light and shade/clusters/bindings.glsl"
 #include "third_party/light and shade/clusters/build.glsl"
 #include "third_party/light and shade/clusters/merge.glsl"

@@ -17,8 +17,8 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_LIGHT_BVH_BINDING_BOXES 30
 #define GNO_LIGHT_BVH_BINDING_SPLITS 31
 #define GNO_LIGHT push.light
-#define GNO_LIGHT_BVH_BUILD 1
 #include "gnomon/core/bindings.glsl"
+#define GNO_LIGHT_BVH_BUILDS 1
 #include "gnomon/rivals/light_bvh_bindings.glsl"
 #include "gnomon/rivals/light_bvh_build.glsl"
 layout(local_size_x = 64) in;

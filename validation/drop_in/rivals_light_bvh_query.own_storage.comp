@@ -37,6 +37,7 @@ vec4 engineLight(float traps) { return push.light + vec4(traps); }
 #define GNO_LIGHT engineLight(TRAPS)
 #define GNO_LOAD_CASTER(number_) engineCaster(trapped(number_, TRAPS))
 #define GNO_LIGHT_BVH_GRID hierarchy.grid
+#define GNO_LIGHT_BVH_STATE trapped(hierarchy.header.state, TRAPS)
 #define GNO_LIGHT_BVH_ROOT(face_) hierarchy.header.roots[trapped(face_, TRAPS)]
 #define GNO_LIGHT_BVH_LOAD_NODE(number_) hierarchy.nodes[trapped(number_, TRAPS)]
 #define GNO_LIGHT_BVH_LOAD_PARENT(number_) hierarchy.parents[trapped(number_, TRAPS)]

@@ -5,7 +5,11 @@
 layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
 #define GNO_LIGHT push.light
 #include "gnomon/core/bindings.glsl"
+#define GNO_FOREST_BUILDS GNO_FOREST_PASS_ALLOCATE
 #include "gnomon/forest/bindings.glsl"
+#define GNO_LIGHT_GRID_BUILDS \
+    (GNO_LIGHT_GRID_PASS_RESET | GNO_LIGHT_GRID_PASS_OPEN | GNO_LIGHT_GRID_PASS_SIZES | GNO_LIGHT_GRID_PASS_DEPTH | GNO_LIGHT_GRID_PASS_COUNT | \
+     GNO_LIGHT_GRID_PASS_ALLOCATE | GNO_LIGHT_GRID_PASS_EMIT)
 #include "gnomon/rivals/light_grid_bindings.glsl"
 #include "gnomon/rivals/light_grid_build.glsl"
 layout(local_size_x = 64) in;

@@ -18,7 +18,9 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_LIGHT_GRID_NEST push.seed
 #define GNO_LIGHT push.light
 #include "gnomon/core/bindings.glsl"
+#define GNO_FOREST_BUILDS 1
 #include "gnomon/forest/bindings.glsl"
+#define GNO_LIGHT_GRID_BUILDS 1
 #include "gnomon/rivals/light_grid_bindings.glsl"
 #include "gnomon/rivals/light_grid_build.glsl"
 layout(local_size_x = 64) in;

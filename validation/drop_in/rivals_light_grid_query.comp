@@ -6,7 +6,6 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_LIGHT push.light
 #include "gnomon/core/bindings.glsl"
 #include "gnomon/forest/bindings.glsl"
-#define GNO_LIGHT_GRID_READ_ONLY 1
 #include "gnomon/rivals/light_grid_bindings.glsl"
 #include "gnomon/rivals/light_grid_query.glsl"
 layout(local_size_x = 64) in;

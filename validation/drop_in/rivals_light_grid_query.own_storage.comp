@@ -6,7 +6,7 @@ layout(push_constant) uniform Push { vec4 light; vec4 position; uint count; uint
 #include "gnomon/forest/cells.h"
 #include "gnomon/rivals/light_grid.h"
 layout(set = 1, binding = 6, std430) readonly buffer Corners { vec4 corner[]; } corners;
-layout(set = 1, binding = 7, std430) coherent buffer Forest {
+layout(set = 1, binding = 7, std430) readonly buffer Forest {
     GnoForestHeader header;
     GnoForestGrid grid;
     GnoForestCell cells[4096];
@@ -14,7 +14,7 @@ layout(set = 1, binding = 7, std430) coherent buffer Forest {
     GnoForestFew few[4096];
 }
 forest;
-layout(set = 1, binding = 8, std430) coherent buffer Lists {
+layout(set = 1, binding = 8, std430) readonly buffer Lists {
     GnoLightGridHeader header;
     GnoLightGridList lists[8192];
     uint depths[4096];
@@ -41,6 +41,7 @@ vec4 engineLight(float traps) { return push.light + vec4(traps); }
 #define GNO_LIGHT engineLight(TRAPS)
 #define GNO_FOREST_GRID forest.grid
 #define GNO_LOAD_CASTER(number_) engineCaster(number_, TRAPS)
+#define GNO_LIGHT_GRID_STATE trapped(gnoLightGridState(ours.header, true), TRAPS)
 #define GNO_LIGHT_GRID_LISTS ours.lists
 #define GNO_LIGHT_GRID_ITEMS ours.items
 #define GNO_LIGHT_GRID_PLANES 1
@@ -49,4 +50,4 @@ vec4 engineLight(float traps) { return push.light + vec4(traps); }
 layout(local_size_x = 64) in;
 layout(set = 2, binding = 9, std430) writeonly buffer Results { uint v[]; } results;
 
-void main() { results.v[gl_GlobalInvocationID.x] = uint(gnoLightGridQuery(GnoViewSample(push.position.xyz, push.seed))); }
+void main() { results.v[gl_GlobalInvocationID.x] = uint(gnoLightGridAnswer(GnoViewSample(push.position.xyz, push.seed))); }

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // Way C: the engine's own storage behind the macros; their bodies use names that a module must not capture.
-layout(push_constant) uniform Push { vec4 light; vec4 position; uint count; uint side; } push;
+layout(push_constant) uniform Push { vec4 light; vec4 position; uint count; uint side; uint built; } push;
 #include "gnomon/shadow_map/view.h"
 layout(set = 0, binding = 2, std140) uniform Lights { mat4 projection[8]; vec4 shift[8]; } lights;  // an engine's layout, not ours
 layout(set = 0, binding = 4, std430) buffer Measured { uint shared_words[64]; } measured;
@@ -22,6 +22,7 @@ GnoShadowMapView engineView(uint number) {
 float engineDepth(uint number, uvec2 where) { return imageLoad(atlas, ivec2(where + uvec2(number * push.side, 0u))).x; }
 vec4 engineLight(float traps) { return push.light + vec4(traps); }
 #define GNO_LIGHT engineLight(TRAPS)
+#define GNO_SHADOW_MAP_STATE trapped(push.built, TRAPS)
 #define GNO_SHADOW_MAP_VIEW_COUNT trapped(push.count, TRAPS)
 #define GNO_SHADOW_MAP_LOAD_VIEW(number) engineView(trapped(number, TRAPS))
 #define GNO_SHADOW_MAP_SIZE trapped(push.side, TRAPS)

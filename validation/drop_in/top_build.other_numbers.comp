@@ -17,6 +17,7 @@ layout(constant_id = 9) const uint kStorePlanes = 0u;
 #define GNO_TOP_SLAB 1
 #define GNO_PRECISION GNO_PRECISION_PUBLISHED
 #include "gnomon/core/bindings.glsl"
+#define GNO_TOP_BUILDS 1
 #include "gnomon/top/bindings.glsl"
 #include "gnomon/top/build.glsl"
 #include "gnomon/core/orient3d.glsl"

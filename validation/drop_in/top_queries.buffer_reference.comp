@@ -15,6 +15,7 @@ GnoCaster engineLoadCaster(uint i) {
 #define GNO_TOP_LOAD_ANCESTOR(index_) frame.nodes.v[((index_) & ~3u) + 1u].aux
 #define GNO_TOP_LOAD_FLAGS(index_) frame.nodes.v[((index_) & ~3u) + 2u].aux
 #define GNO_TOP_ROOT frame.root
+#define GNO_TOP_STATE gnoState(GNO_PRECISION)  // this engine knows that its tree is built
 #define GNO_LIGHT frame.light
 #define GNO_LOAD_CASTER(index_) engineLoadCaster(index_)
 #include "gnomon/top/query_hybrid.glsl"

@@ -16,7 +16,6 @@ layout(constant_id = 9) const uint kStorePlanes = 0u;
 #define GNO_TOP_BINDING_SLABS 10
 #define GNO_TOP_BIND_SLABS 1
 #define GNO_TOP_SLAB 1
-#define GNO_TOP_READ_ONLY 1
 #define GNO_TOP_DEPTH_TEST 0
 #define GNO_PRECISION GNO_PRECISION_CONSERVATIVE
 #include "gnomon/core/bindings.glsl"

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // Way C: the engine's own storage behind the macros; their bodies use names that a module must not capture.
-layout(push_constant) uniform Push { vec4 light; vec4 position; uint root; } push;
+layout(push_constant) uniform Push { vec4 light; vec4 position; uint root; uint state; } push;
 // Columns instead of records: an engine's layout, not ours.
 layout(set = 0, binding = 3, std430) readonly buffer Corners { vec4 corner[]; } corners;
 layout(set = 0, binding = 4, std430) readonly buffer Sides { float nx[4096]; float ny[4096]; float nz[4096]; float offset[4096]; } sides;
@@ -34,6 +34,7 @@ GnoTopSlab engineSlab(uint number) {
 #define GNO_TOP_LOAD_SLAB(number) engineSlab(trapped(number, TRAPS))
 #define GNO_TOP_SLAB trapped(1u, TRAPS)
 #define GNO_TOP_ROOT trapped(push.root, TRAPS)
+#define GNO_TOP_STATE trapped(push.state, TRAPS)
 #define GNO_LIGHT engineLight(TRAPS)
 #define GNO_LOAD_CASTER(number) engineCaster(trapped(number, TRAPS))
 #define GNO_PRECISION trapped(2u, TRAPS)
@@ -45,6 +46,6 @@ layout(set = 3, binding = 0, std430) writeonly buffer Results { vec4 v[]; } resu
 void main() {
     uint at = gl_GlobalInvocationID.x;
     vec4 result;
-    result = vec4(gnoTopQueryHybrid(GnoViewSample(push.position.xyz, GNO_NO_CASTER)));
+    result = vec4(gnoTopHybridAnswer(GnoViewSample(push.position.xyz, GNO_NO_CASTER)));
     results.v[at] = result;
 }

@@ -4,7 +4,6 @@
 // Way A: our buffers, our numbers.
 layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uint count; uint seed; } push;
 #define GNO_LIGHT push.light
-#define GNO_TOP_READ_ONLY 1
 #include "gnomon/core/bindings.glsl"
 #include "gnomon/top/bindings.glsl"
 #include "gnomon/top/query_stack.glsl"

@@ -13,7 +13,6 @@ layout(push_constant) uniform Push { vec4 light; vec4 viewer; vec4 position; uin
 #define GNO_TOP_BINDING_SLABS 10
 #define GNO_TOP_BIND_SLABS 1
 #define GNO_TOP_SLAB 1
-#define GNO_TOP_READ_ONLY 1
 #define GNO_TOP_DEPTH_TEST 0
 #define GNO_PRECISION GNO_PRECISION_CONSERVATIVE
 #include "gnomon/core/bindings.glsl"

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // Way C: the engine's own storage behind the macros; their bodies use names that a module must not capture.
-layout(push_constant) uniform Push { vec4 light; vec4 position; uint root; } push;
+layout(push_constant) uniform Push { vec4 light; vec4 position; uint root; uint state; } push;
 // Columns instead of records: an engine's layout, not ours.
 layout(set = 0, binding = 3, std430) readonly buffer Corners { vec4 corner[]; } corners;
 layout(set = 0, binding = 4, std430) readonly buffer Sides { float nx[4096]; float ny[4096]; float nz[4096]; float offset[4096]; } sides;
@@ -29,6 +29,7 @@ vec4 engineLight(float traps) { return push.light + vec4(traps); }
 #define GNO_TOP_LOAD_ANCESTOR(number) children.aux[trapped(4u * ((number) / 4u) + 1u, TRAPS)]
 #define GNO_TOP_LOAD_FLAGS(number) children.aux[trapped(4u * ((number) / 4u) + 2u, TRAPS)]
 #define GNO_TOP_ROOT trapped(push.root, TRAPS)
+#define GNO_TOP_STATE trapped(push.state, TRAPS)
 #define GNO_LIGHT engineLight(TRAPS)
 #define GNO_LOAD_CASTER(number) engineCaster(trapped(number, TRAPS))
 #define GNO_PRECISION trapped(2u, TRAPS)
@@ -40,6 +41,6 @@ layout(set = 3, binding = 0, std430) writeonly buffer Results { vec4 v[]; } resu
 void main() {
     uint at = gl_GlobalInvocationID.x;
     vec4 result;
-    result = vec4(gnoTopQueryStackless(GnoViewSample(push.position.xyz, GNO_NO_CASTER)));
+    result = vec4(gnoTopStacklessAnswer(GnoViewSample(push.position.xyz, GNO_NO_CASTER)));
     results.v[at] = result;
 }

@@ -25,6 +25,9 @@ struct Case {
 /// All of them, cheap ones first.
 std::vector<Case> makeCases();
 
+/// The definition's answer for each caster alone and each sample.
+std::vector<uint8_t> oneByOne(const cpu::TinyScene& scene);
+
 /// Empty when the variant passes the first `scenes` of them; else one line: which scene, which query, what is wrong. Then the scene.
 std::string failure(const Case& c, cpu::TopTree& tree, size_t scenes = SIZE_MAX);
 

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-// gnomon-cluster-mutants [NAME...]: the cluster family's text on the CPU. As it stands it has to give the oracle's masks in every case; every mutant
-// that this program is linked with (or those named) has to fail one. Prints a table: mutant, killed by. Exit code 0: all as it should be; 1: not;
-// then it says which.
+// gnomon-cluster-mutants [NAME...]: the cluster family's text on the CPU: the oracle's masks, in every case. What is printed: run.hpp.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <functional>
 
 #include "glsl/clusters/cluster.h"
 #include "validation/hard_cases/hard_case.hpp"
 #include "validation/hard_cases/scene_maker.hpp"
+#include "validation/mutants/run.hpp"
 #include "validation/support/cluster_on_cpu.hpp"
 
 namespace gno::mutants {
@@ -146,33 +144,18 @@ std::string failure(cpu::ClusterFamily& family, const Case& c) {
     return "";
 }
 
-int run(const std::vector<std::string>& wanted) {
-    const std::vector<Case> cases = makeCases();
-    auto variants = cpu::clusterVariants();
-    std::sort(variants.begin(), variants.end(), [](const auto& x, const auto& y) { return x.name < y.name; });
-    int mutants = 0, faults = 0;
-    for (const auto& variant : variants) {
-        const bool mutant = variant.name.find('.') != std::string::npos;
-        if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), variant.name) == wanted.end()) continue;
-        const auto family = variant.make();
-        std::string killer;
-        for (const Case& c : cases) {
-            const std::string found = failure(*family, c);
-            if (found.empty()) continue;
-            killer = c.name + " (" + found + ")";
-            break;
-        }
-        mutants += mutant;
-        faults += mutant == killer.empty();
-        const char* verdict = mutant ? killer.empty() ? "SURVIVES" : "killed by:" : killer.empty() ? "as it stands, all cases" : "FAILS";
-        std::printf("%-48s %s %s\n", variant.name.c_str(), verdict, killer.c_str());
-        std::fflush(stdout);
-    }
-    std::printf("%d mutants, %d not as they should be\n", mutants, faults);
-    return faults == 0 && (mutants > 0 || !wanted.empty()) ? 0 : 1;
-}
-
 }  // namespace
 }  // namespace gno::mutants
 
-int main(int argc, char** argv) { return gno::mutants::run({argv + 1, argv + argc}); }
+int main(int argc, char** argv) {
+    using namespace gno;
+    const std::vector<mutants::Case> cases = mutants::makeCases();
+    return mutants::run({argv + 1, argv + argc}, cpu::clusterVariants(), [&](const cpu::ClusterVariant& variant, bool) -> mutants::Verdict {
+        const auto family = variant.make();
+        for (const mutants::Case& c : cases) {
+            const std::string found = mutants::failure(*family, c);
+            if (!found.empty()) return {c.name + ", " + found};
+        }
+        return {"", "all cases"};
+    });
+}

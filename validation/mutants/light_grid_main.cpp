@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// gnomon-light-grid-mutants [NAME...]: the light grid's text on the CPU. As it stands it has to give the definition's answer for every sample of
-// every scene; every mutant that this program is linked with (or those named) has to fail. Prints a table: mutant, killed by. Exit code 0: all as it
-// should be; 1: not; then it says which.
+// gnomon-light-grid-mutants [NAME...]: the light grid's text on the CPU: the definition's answer for every sample of every scene. What is printed:
+// run.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
 #include "host_min/techniques/cell_assignment.hpp"
+#include "validation/mutants/run.hpp"
 #include "validation/support/exact_reference.hpp"
 #include "validation/support/light_grid_on_cpu.hpp"
 #include "validation/tests/oracle_cases.hpp"
@@ -84,42 +84,29 @@ std::string failure(cpu::LightGrid& grid, const Scene& scene) {
     return "";
 }
 
-int run(const std::vector<std::string>& wanted) {
-    std::vector<Scene> scenes;
-    for (uint32_t seed = 1; seed <= 4; ++seed)
-        for (Scene& scene : makeScenes(seed)) scenes.push_back(std::move(scene));
-    size_t dark = 0, samples = 0;
-    for (const Scene& scene : scenes) {
-        samples += scene.want.size();
-        dark += size_t(std::count(scene.want.begin(), scene.want.end(), 1));
-    }
-    int mutants = 0, survivors = 0, broken = 0;
-    for (const cpu::LightGridVariant& variant : cpu::lightGridVariants()) {
-        if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), variant.name) == wanted.end()) continue;
-        const bool mutant = variant.name.find('.') != std::string::npos;
-        const auto grid = variant.make();
-        std::string killer;
-        uint64_t nests = 0;
-        for (const Scene& scene : scenes) {
-            killer = failure(*grid, scene);
-            nests += grid->header().nests;
-            if (!killer.empty()) break;
-        }
-        if (!mutant) {
-            broken += !killer.empty() || nests == 0;
-            fmt::print("{:60} as it stands, {} scenes, {} of {} samples dark, {} nested cells {}\n", variant.name, scenes.size(), dark, samples,
-                       nests, killer);
-        } else {
-            ++mutants;
-            survivors += killer.empty();
-            fmt::print("{:60} {} {}\n", variant.name, killer.empty() ? "SURVIVES" : "killed by:", killer);
-        }
-    }
-    fmt::print("{} mutants, {} survive; {} failures of the modules as they stand\n", mutants, survivors, broken);
-    return survivors == 0 && broken == 0 && (mutants > 0 || !wanted.empty()) ? 0 : 1;
-}
-
 }  // namespace
 }  // namespace gno::mutants
 
-int main(int argc, char** argv) { return gno::mutants::run({argv + 1, argv + argc}); }
+int main(int argc, char** argv) {
+    using namespace gno;
+    std::vector<mutants::Scene> scenes;
+    for (uint32_t seed = 1; seed <= 4; ++seed)
+        for (mutants::Scene& scene : mutants::makeScenes(seed)) scenes.push_back(std::move(scene));
+    size_t dark = 0, samples = 0;
+    for (const mutants::Scene& scene : scenes) {
+        samples += scene.want.size();
+        dark += size_t(std::count(scene.want.begin(), scene.want.end(), 1));
+    }
+    return mutants::run({argv + 1, argv + argc}, cpu::lightGridVariants(),
+                        [&](const cpu::LightGridVariant& variant, bool mutant) -> mutants::Verdict {
+                            const auto grid = variant.make();
+                            uint64_t nests = 0;
+                            for (const mutants::Scene& scene : scenes) {
+                                const std::string wrong = mutants::failure(*grid, scene);
+                                nests += grid->header().nests;
+                                if (!wrong.empty()) return {wrong};
+                            }
+                            if (!mutant && (nests == 0 || dark == 0 || dark == samples)) return {"no nested cell, or no shadow, or no light"};
+                            return {"", fmt::format("{} scenes, {} of {} samples dark, {} nested cells", scenes.size(), dark, samples, nests)};
+                        });
+}

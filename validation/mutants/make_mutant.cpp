@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // make_mutant DESCRIPTION GLSL_FOLDER OUT_FOLDER: copies the modules to OUT_FOLDER/glsl and puts the described fault in. Each text to be replaced
-// has to occur exactly once in its file; if not, the modules have changed: exit code 1 and one line, so that the build stops until the description
-// is brought up to date.
+// has to occur exactly once in its file, however it is broken into lines; if not, the modules have changed: exit code 1 and one line, so that the
+// build stops until the description is brought up to date.
 //
 // A description (NAME.expect_fail) starts with lines of prose. Then, once or several times:
 //   file: top/plane.glsl
@@ -10,6 +10,7 @@
 //   by:
 //   (lines)
 //   end
+#include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +18,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -39,17 +41,35 @@ std::string linesUntil(std::istream& in, const std::string& last) {
     throw std::runtime_error("the line '" + last + "' is missing");
 }
 
+/// A text without its white space, so that line breaks may move, and where each of its letters stands.
+struct Letters {
+    std::string all;
+    std::vector<size_t> at;
+
+    explicit Letters(const std::string& text) {
+        for (size_t i = 0; i < text.size(); ++i) {
+            if (std::isspace(static_cast<unsigned char>(text[i]))) continue;
+            all += text[i];
+            at.push_back(i);
+        }
+    }
+};
+
 void replaceOnce(std::string& text, const std::string& from, const std::string& to, const std::string& file) {
-    const size_t at = text.find(from);
-    if (from.empty() || at == std::string::npos)
+    const Letters in(text), what(from);
+    const size_t first = in.all.find(what.all);
+    if (what.all.empty() || first == std::string::npos)
         throw std::runtime_error(file + " does not contain '" + from + "': the module has changed, change the mutant");
-    if (text.find(from, at + 1) != std::string::npos) throw std::runtime_error(file + " contains '" + from + "' more than once: give more of it");
-    text.replace(at, from.size(), to);
+    if (in.all.find(what.all, first + 1) != std::string::npos)
+        throw std::runtime_error(file + " contains '" + from + "' more than once: give more of it");
+    if (what.all == Letters(to).all) throw std::runtime_error("'" + from + "' is replaced by itself");
+    const size_t start = in.at[first], end = in.at[first + what.all.size() - 1] + 1;
+    text.replace(start, end - start, to);
 }
 
 void make(const fs::path& description, const fs::path& glsl, const fs::path& out) {
     std::map<std::string, std::string> files;
-    for (const char* folder : {"core", "top", "clusters", "forest", "rivals"}) {
+    for (const char* folder : {"core", "top", "clusters", "forest", "rivals", "shadow_map"}) {
         for (const auto& entry : fs::directory_iterator(glsl / folder)) {
             if (entry.is_regular_file()) files[std::string(folder) + "/" + entry.path().filename().string()] = readText(entry.path());
         }

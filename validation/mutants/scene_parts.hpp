@@ -24,6 +24,18 @@ inline vec4 directional(dvec3 towards) {
     return vec4(snap(towards * std::ldexp(1.0, -exponent)), 0.0f);
 }
 
+inline vec4 anyLight(Random& r) {
+    if (r.below(2) == 0) return vec4(r.uniform(), 1.0f);
+    dvec3 towards(0);
+    while (glm::length(towards) < 0.1) towards = dvec3(r.real(), r.real(), r.real());
+    return directional(towards);
+}
+
+inline vec4 latticeLight(Random& r) {
+    const vec3 at = r.lattice(4, 0.25);
+    return r.below(2) == 0 || at == vec3(0) ? vec4(at, 1.0f) : directional(at);
+}
+
 /// The point behind x, seen from the light: k = 1 is x itself, k = 2 as far again (directional: half a scene away).
 inline dvec3 behind(vec4 light, dvec3 x, double k) {
     const dvec3 l(light);

@@ -3,13 +3,14 @@
 // Everything is in an unnamed namespace, so that one program can hold many.
 #include "validation/support/cluster_on_cpu.hpp"
 
-#include <ucontext.h>
-
-#include <functional>
+#include <bit>
 #include <stdexcept>
 
-#include "host_min/techniques/cluster_hierarchy.hpp"
+#include "glsl/clusters/cluster.h"
+#include "host_min/techniques/cluster_frame.hpp"
+#include "validation/support/checked_array.hpp"
 #include "validation/support/glsl_as_cpp.hpp"
+#include "validation/support/work_group.hpp"
 
 #ifndef GNO_CLUSTER_VARIANT
 #error "define GNO_CLUSTER_VARIANT, a name"
@@ -20,16 +21,10 @@
 namespace gno {
 namespace {
 
+using cpu::barrier;
+using cpu::WorkGroup;
 template <class T>
-struct Array : std::vector<T> {
-    T& operator[](size_t index) {
-        if (index >= this->size()) throw std::runtime_error("leaves an array");
-        return std::vector<T>::operator[](index);
-    }
-    void keep(size_t size, T poison) {  // contents of the frame before stay
-        if (this->size() != size) this->assign(size, poison);
-    }
-};
+using Array = cpu::CheckedArray<T>;
 
 struct State {
     GnoClusterFrame frame{};
@@ -45,73 +40,20 @@ struct State {
     uint precision = GNO_PRECISION_CERTIFIED;
 } state;
 
-/// The invocations of a work group take turns from barrier to barrier.
-class WorkGroup {
-public:
-    template <class Work>
-    static void run(uint count, const Work& work) {
-        WorkGroup group;
-        static std::vector<Fiber> fibers(64);  // their stacks are used again
-        current_ = &group;
-        for (uint i = 0; i < count; ++i) {
-            Fiber& fiber = fibers[i];
-            fiber.work = [&work, i] { work(i); };
-            fiber.error.clear();
-            fiber.done = false;
-            getcontext(&fiber.context);
-            fiber.context.uc_stack.ss_sp = fiber.stack.data();
-            fiber.context.uc_stack.ss_size = fiber.stack.size();
-            fiber.context.uc_link = &group.main_;
-            makecontext(&fiber.context, enter, 0);
-        }
-        for (bool more = true; more;) {
-            more = false;
-            for (uint i = 0; i < count; ++i) {
-                Fiber& fiber = fibers[i];
-                if (fiber.done) continue;
-                group.fiber_ = &fiber;
-                swapcontext(&group.main_, &fiber.context);
-                more = more || !fiber.done;
-            }
-        }
-        current_ = nullptr;
-        for (const Fiber& fiber : fibers)
-            if (!fiber.error.empty()) throw std::runtime_error(fiber.error);
-    }
-    static void wait() { swapcontext(&current_->fiber_->context, &current_->main_); }
-
-private:
-    struct Fiber {
-        ucontext_t context{};
-        std::vector<char> stack = std::vector<char>(32768);
-        std::function<void()> work;
-        std::string error;
-        bool done = false;
-    };
-    static void enter() {
-        Fiber& fiber = *current_->fiber_;
-        try {  // nothing may be thrown out of a context
-            fiber.work();
-        } catch (const std::exception& error) {
-            fiber.error = error.what();
-        }
-        fiber.done = true;
-    }
-    ucontext_t main_{};
-    Fiber* fiber_ = nullptr;
-    static inline WorkGroup* current_ = nullptr;
-};
-
-void barrier() { WorkGroup::wait(); }
-
-constexpr uint gl_SubgroupSize = 1, gl_SubgroupInvocationID = 0;
+// One invocation of a subgroup of 64 is active, and it is not the first.
+constexpr uint gl_SubgroupSize = 64, gl_SubgroupInvocationID = 37;
 bool subgroupElect() { return true; }
 uint subgroupBroadcastFirst(uint x) { return x; }
-uvec4 subgroupBallot(bool x) { return uvec4(x ? 1u : 0u, 0u, 0u, 0u); }
+uvec4 subgroupBallot(bool x) { return uvec4(0u, x ? 1u << (gl_SubgroupInvocationID - 32u) : 0u, 0u, 0u); }
+uint subgroupBallotBitCount(uvec4 x) { return uint(std::popcount(x.x) + std::popcount(x.y)); }
+uint subgroupBallotExclusiveBitCount(uvec4 x) {
+    return uint(std::popcount(x.x) + std::popcount(x.y & ((1u << (gl_SubgroupInvocationID - 32u)) - 1u)));
+}
 
 #define GNO_CLUSTER_FRAME state.frame
 #define GNO_CLUSTER_LAYOUT state.tree
 #define GNO_CLUSTER_HEADER state.header
+#define GNO_CLUSTER_STATE gnoClusterState(state.header, state.frame, state.tree)
 #define GNO_CLUSTER_FORM state.tree.form
 #define GNO_CLUSTER_SLICES state.slices
 #define GNO_CLUSTER_MASKS state.masks
@@ -153,6 +95,7 @@ public:
         for (uint word = 0; compact && word < gnoClusterWordCount(state.tree); ++word) gnoClusterAllocate(word);
         if (compact) build(GNO_CLUSTER_BOUNDS_OF_NODES);
         for (uint i = 0; i < state.casters.size(); ++i) gnoClusterSetUpVolume(i, gnoFacing(state.light, state.casters[i]));
+        gnoClusterFinishVolumes();
         gnoClusterExpand();
         if (choice.split > 0) gnoClusterFinish();
         std::vector<uint32_t> mask;
@@ -161,7 +104,7 @@ public:
             if (s.own > GNO_NO_CASTER)
                 mask.push_back(s.own == GNO_BACKGROUND ? GNO_VISIBILITY_BACKGROUND : GNO_VISIBILITY_FACING_AWAY);
             else
-                mask.push_back(gnoClusterInShadow(uvec2(i % view.width, i / view.width), s.position) ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT);
+                mask.push_back(gnoClusterAnswer(uvec2(i % view.width, i / view.width), s.position));
         }
         return mask;
     }
@@ -169,7 +112,7 @@ public:
 private:
     static void prepare(const test::CameraView& view, const cpu::ClusterChoice& choice) {
         state.tree = gnoClusterLayout({view.width, view.height}, choice.form);
-        state.frame = host::clusterFrame(view.frame.camera, view.width, view.height);
+        state.frame = std::bit_cast<GnoClusterFrame>(host::clusterFrame(view.frame.camera, view.width, view.height));
         state.frame.casterCount = uint(view.frame.triangles.size());
         state.frame.jobCapacity = choice.split > 0 ? choice.jobCapacity : 0;
         state.frame.boxCapacity = choice.boxCapacity;

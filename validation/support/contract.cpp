@@ -46,6 +46,8 @@ std::map<std::string, Asked> askedMacros(const Module& module) {
     for (size_t i = 0; i < module.directives.size(); ++i) {
         const std::string& line = module.directives[i];
         if (!startsWith(line, "#if") && !startsWith(line, "#elif")) continue;
+        const bool refused = startsWith(line, "#ifdef ") && i + 1 < module.directives.size() && startsWith(module.directives[i + 1], "#error");
+        if (refused) continue;  // a name of an earlier version
         for (const std::string& name : namesIn(line, "GNO_")) {
             if (name == guard) continue;
             Asked& entry = asked[name];
@@ -56,6 +58,17 @@ std::map<std::string, Asked> askedMacros(const Module& module) {
         }
     }
     return asked;
+}
+
+/// Macros that a header gives a number, whatever its user says: no options.
+std::set<std::string> constantsOf(const Module& module) {
+    static const std::regex number("^#define (GNO_[A-Z0-9_]+) [0-9]+ *$");
+    std::set<std::string> names;
+    for (size_t i = 1; i < module.directives.size(); ++i) {
+        std::smatch match;
+        if (std::regex_match(module.directives[i], match, number) && module.directives[i - 1] != "#ifndef " + match[1].str()) names.insert(match[1]);
+    }
+    return names;
 }
 
 /// The macro is used for something: not only tested for, given a default or complained about.
@@ -167,18 +180,22 @@ private:
             rows.insert(modules_.at(other).rows.begin(), modules_.at(other).rows.end());
         }
         std::set<std::string> readers = around;
-        for (const auto& [path, other] : modules_)
-            if (other.takenOver.contains(module.path)) readers.insert(path);
+        const std::string folder = module.path.substr(0, module.path.find('/') + 1);
+        for (const auto& [path, other] : modules_)  // bindings define what the modules beside them read
+            if (other.takenOver.contains(module.path) || (endsWith(module.path, "bindings.glsl") && startsWith(path, folder))) readers.insert(path);
         for (const auto& [macro, row] : module.rows) {
             if (std::none_of(readers.begin(), readers.end(), [&, name = macro](const std::string& path) { return reads(modules_.at(path), name); }))
                 fault(module.path, "documents " + macro + ", which no code reads");
         }
-        std::set<std::string> ours;  // macros that the included files define for their own use or document themselves
-        for (const std::string& path : around)
-            if (path != module.path)
-                for (const auto& [macro, row] : modules_.at(path).rows) ours.insert(macro);
+        std::set<std::string> ours;  // macros that the included files document themselves
+        std::set<std::string> constants;
+        for (const std::string& path : around) {
+            if (path == module.path) continue;
+            for (const auto& [macro, row] : modules_.at(path).rows) ours.insert(macro);
+            constants.merge(constantsOf(modules_.at(path)));
+        }
         for (const auto& [macro, entry] : askedMacros(module)) {
-            if (endsWith(macro, "_")) continue;
+            if (endsWith(macro, "_") || constants.contains(macro)) continue;
             const auto row = rows.find(macro);
             if (row == rows.end()) {
                 if (!ours.contains(macro) || !entry.standard.empty() || entry.required) fault(module.path, "reads " + macro + ", which has no row");
@@ -256,8 +273,11 @@ void Checker::checkCode(const Module& module) {
 
     std::set<std::string> declared;
     static const std::regex declaration("^ *([A-Za-z0-9_]+) +(gno[A-Za-z0-9_]+)\\(([^)]*)\\)");
-    for (const std::string& line : module.header) {
+    for (size_t i = 0; i < module.header.size(); ++i) {
+        std::string line = module.header[i];
         if (!startsWith(line, "  ")) continue;
+        while (line.find("(") != std::string::npos && line.find(")") == std::string::npos && i + 1 < module.header.size())
+            line += " " + trimmed(module.header[++i]);  // a long declaration goes on in the next line
         std::smatch match;
         if (!std::regex_search(line, match, declaration)) continue;
         const std::string name = match[2];

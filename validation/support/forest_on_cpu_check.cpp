@@ -204,7 +204,9 @@ std::string wrongForest(Forest& forest, const TinyScene& scene, const GnoForestG
         for (size_t i = 0; i < scene.samples.size(); ++i) {
             for (size_t q = 0; q < kTopQueries.size(); ++q) {
                 doing = kTopQueryNames[q];
-                const bool got = forest.ask(kTopQueries[q], scene.samples[i]).inShadow;
+                const TopAnswer answer = forest.ask(kTopQueries[q], scene.samples[i]);
+                if (answer.visibility == GNO_VISIBILITY_UNKNOWN) throw std::runtime_error("has no answer");
+                const bool got = answer.inShadow;
                 if (got != (expected[i] != 0))
                     return how + doing + ", sample " + std::to_string(i) + (got ? " is dark, should be lit" : " is lit, should be dark");
             }

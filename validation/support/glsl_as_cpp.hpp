@@ -38,6 +38,7 @@ using glm::bvec4;
 using glm::ivec2;
 using glm::ivec3;
 using glm::ivec4;
+using glm::mat4;
 using glm::uvec2;
 using glm::uvec3;
 using glm::uvec4;

@@ -3,77 +3,41 @@
 // Everything is in an unnamed namespace, so that one program can hold many.
 #include "validation/support/light_grid_on_cpu.hpp"
 
-#include <stdexcept>
-
-#include "validation/support/glsl_as_cpp.hpp"
-
 #ifndef GNO_LIGHT_GRID_VARIANT
 #error "define GNO_LIGHT_GRID_VARIANT, a name"
 #endif
 
-#pragma GCC diagnostic ignored "-Wunused-function"
-#ifdef __clang__
-#pragma GCC diagnostic ignored "-Wunused-const-variable"
-#endif
+#define GNO_ON_CPU_TREES 0
+#define GNO_ON_CPU_CELLS 1
+#include "validation/support/trees_on_cpu.hpp"
 
 namespace gno {
 namespace {
 
-template <class T>
-struct Array : std::vector<T> {
-    T& operator[](uint index) {
-        if (index >= this->size()) throw std::runtime_error("reads outside an array");
-        return std::vector<T>::operator[](index);
-    }
-};
-
-struct State {
-    Array<GnoCaster> casters;
-    Array<GnoForestCell> cells;
-    Array<GnoForestFew> few;
-    Array<GnoForestPair> pairs;
+struct ListState {
     Array<GnoLightGridList> lists;
     Array<uint> depths;
     Array<GnoLightGridItem> items;
     Array<vec4> planes;
-    GnoForestGrid grid{};
-    GnoForestHeader forest{};
     GnoLightGridHeader header{};
-    vec4 light{0, 0, 0, 1};
     uint nest = 8;
-} state;
+} ours;
 
-#define GNO_FOREST_GRID state.grid
-#define GNO_FOREST_CELLS state.cells
-#define GNO_FOREST_FEW state.few
-#define GNO_FOREST_PAIRS state.pairs
-#define GNO_FOREST_CAPACITY uint(state.pairs.size())
-#define GNO_FOREST_HEADER state.forest
-#define GNO_LIGHT_GRID_LISTS state.lists
-#define GNO_LIGHT_GRID_DEPTHS state.depths
-#define GNO_LIGHT_GRID_NESTS uint(state.depths.size() / GNO_LIGHT_GRID_GROUP)
-#define GNO_LIGHT_GRID_ITEMS state.items
-#define GNO_LIGHT_GRID_CAPACITY uint(state.items.size())
-#define GNO_LIGHT_GRID_HEADER state.header
-#define GNO_LIGHT_GRID_NEST state.nest
+#define GNO_LIGHT_GRID_LISTS ours.lists
+#define GNO_LIGHT_GRID_DEPTHS ours.depths
+#define GNO_LIGHT_GRID_NESTS uint(ours.depths.size() / GNO_LIGHT_GRID_GROUP)
+#define GNO_LIGHT_GRID_ITEMS ours.items
+#define GNO_LIGHT_GRID_CAPACITY uint(ours.items.size())
+#define GNO_LIGHT_GRID_HEADER ours.header
+#define GNO_LIGHT_GRID_STATE gnoLightGridState(ours.header, GNO_LIGHT_GRID_PLANES != 0)
+#define GNO_LIGHT_GRID_NEST ours.nest
 #define GNO_LIGHT_GRID_SHORT 0xFFFFFFFFu
-#define GNO_LIGHT_GRID_LOAD_PLANE(index_) state.planes[index_]
-#define GNO_LIGHT state.light
-#define GNO_LOAD_CASTER(index_) state.casters[index_]
-#define GNO_CORE_COUNTERS_GLSL  // none here
-#define GNO_COUNT(member_, amount_)
-#define GNO_COUNT_MAX(member_, value_)
+#define GNO_LIGHT_GRID_LOAD_PLANE(index_) ours.planes[index_]
 
 #define shared static
 void barrier() {}
 void memoryBarrierBuffer() {}
 
-#undef GNO_NAMESPACE_BEGIN
-#undef GNO_NAMESPACE_END
-#define GNO_NAMESPACE_BEGIN
-#define GNO_NAMESPACE_END
-#include "glsl/core/decide.glsl"
-#include "glsl/core/orient3d.glsl"
 #include "glsl/rivals/light_grid_build.glsl"
 #include "glsl/rivals/light_grid_sort.glsl"
 #define GNO_LIGHT_GRID_PLANES 1
@@ -92,56 +56,46 @@ public:
         state.casters.assign(casters.begin(), casters.end());
         state.light = light;
         state.grid = grid;
-        state.nest = nest;
-        const uint count = gnoCellCount(grid.resolution, grid.faces);
-        state.cells.assign(count, GnoForestCell{0u, GNO_FOREST_NONE, 0u, GNO_FOREST_NONE});
-        state.lists.assign(gnoLightGridLists(count, count), GnoLightGridList{0xDEADBEEFu, 0xDEADBEEFu});
-        state.depths.assign(64 * count, 0xDEADBEEFu);
-        state.planes.assign(4 * casters.size(), vec4(0));
-        state.forest = {};
-        GnoForestSeen seen = gnoForestSeen();
-        for (const GnoViewSample& s : samples) gnoForestSeeSample(seen, s.position);
-        gnoForestTell(seen);
-        const auto each = [&](const auto& what) {
-            for (uint caster = 0; caster < casters.size(); ++caster)
-                if (const int facing = gnoFacing(light, casters[caster]); facing != 0) what(caster, facing);
-        };
-        state.few.assign(casters.size(), GnoForestFew{0u, 0u});
-        std::vector<uint> sizes(casters.size(), GNO_FOREST_FEW_CELLS);
-        each([&](uint caster, int) { sizes[caster] = gnoForestSort(caster, gnoCellSight(light, casters[caster])); });
-        const auto assign = [&](const auto& few, const auto& more) {
-            each([&](uint caster, int facing) {
-                if (sizes[caster] == GNO_FOREST_FEW_CELLS)
-                    few(caster);
-                else
-                    more(caster, gnoCellVolume(light, casters[caster], facing));
-            });
-        };
-        assign([](uint) {}, [](uint, const GnoCellVolume& v) { gnoForestCover(v, 0u, 1u); });
-        assign([](uint caster) { gnoForestCountFew(caster); }, [](uint, const GnoCellVolume& v) { gnoForestCount(v, 0u, 1u); });
+        ours.nest = nest;
+        openCells(samples);
+        const uint count = uint(state.cells.size()), seed = 1;
+        ours.lists.assign(gnoLightGridLists(count, count), GnoLightGridList{kPoison, kPoison});
+        ours.depths.assign(64 * count, kPoison);
+        ours.planes.assign(4 * casters.size(), vec4(0));
+        const Lists byCells = sortCasters();
+        assign(Assign::cover, byCells, seed);
+        assign(Assign::count, byCells, seed);
         gnoLightGridReset();
         for (uint cell = 0; cell < gnoLightGridFirstSub(count); ++cell) gnoLightGridOpen(cell);
-        state.pairs.assign(state.forest.pairs, GnoForestPair{0u, 0u});
-        assign([](uint caster) { gnoForestEmitFew(caster); }, [](uint caster, const GnoCellVolume& v) { gnoForestEmit(caster, v, 0u, 1u); });
+        state.capacity = state.forest.pairs;
+        state.pairs.assign(state.capacity, GnoForestPair{0u, 0u});
+        assign(Assign::emit, byCells, seed);
         for (const GnoViewSample& s : samples) gnoLightGridSeeSample(s.position);
         const auto eachPair = [&](const auto& what) {
             for (const GnoForestPair& pair : state.pairs) what(pair, casters[pair.caster], gnoFacing(light, casters[pair.caster]));
         };
         eachPair([](const GnoForestPair& pair, const GnoCaster& t, int facing) { gnoLightGridCount(pair.cell, t, facing); });
-        const uint lists = gnoLightGridLists(count, state.header.nests);
+        const uint lists = gnoLightGridLists(count, ours.header.nests);
         for (uint list = 0; list < lists; ++list) gnoLightGridAllocate(list);
-        state.items.assign(state.header.items, GnoLightGridItem{0xDEADBEEFu, 0xDEADBEEFu});
+        ours.items.assign(ours.header.items, GnoLightGridItem{kPoison, kPoison});
         eachPair([](const GnoForestPair& pair, const GnoCaster& t, int facing) { gnoLightGridEmit(pair.cell, pair.caster, t, facing); });
+        gnoLightGridSizes();
         for (uint list = 0; list < lists; ++list) gnoLightGridSort(list / 64, list % 64);
-        each([&](uint caster, int facing) {
-            for (uint place = 0; place < 4; ++place) state.planes[4 * caster + place] = gnoLightGridPlane(light, casters[caster], facing, place);
-        });
+        for (uint group = 0; group < lists / 64; ++group) gnoLightGridFinish();
+        gnoLightGridFinishPlanes();
+        for (uint caster = 0; caster < casters.size(); ++caster) {
+            const int facing = gnoFacing(light, casters[caster]);
+            for (uint place = 0; facing != 0 && place < 4; ++place)
+                ours.planes[4 * caster + place] = gnoLightGridPlane(light, casters[caster], facing, place);
+        }
     }
 
     [[nodiscard]] bool ask(const GnoViewSample& sample, bool planes) override {
-        return planes ? gnoLightGridQuery(sample) : computed::gnoLightGridQuery(sample);
+        const uint answer = planes ? gnoLightGridAnswer(sample) : computed::gnoLightGridAnswer(sample);
+        if (answer == GNO_VISIBILITY_UNKNOWN) throw std::runtime_error("has no answer");
+        return answer != GNO_VISIBILITY_LIT;
     }
-    [[nodiscard]] const GnoLightGridHeader& header() const override { return state.header; }
+    [[nodiscard]] const GnoLightGridHeader& header() const override { return ours.header; }
 };
 
 [[maybe_unused]] const bool kRegistered =

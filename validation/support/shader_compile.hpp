@@ -8,20 +8,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace gno::test {
+#include "validation/support/source_tree.hpp"
 
-inline std::string readText(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw std::runtime_error("cannot read " + file.string());
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
+namespace gno::test {
 
 struct Ran {
     int status = -1;     ///< exit code
@@ -39,17 +32,21 @@ inline Ran runCommand(const std::string& command) {
     return ran;
 }
 
-/// A temporary include folder with a copy of glsl/ (not a link: nothing outside the copied folder can be reached through "..") as `gnomon` and,
-/// deeper and with a space in its name, as `third_party/light and shade`. Removed at the end.
+/// A temporary include folder with a copy of what shaders include of glsl/ (not a link: nothing outside the copied folder can be reached through
+/// ".."), under the name `place`. Removed at the end.
 class Mount {
 public:
-    explicit Mount(const std::filesystem::path& glsl) {
-        std::string name = (std::filesystem::temp_directory_path() / "gnomon-drop-in-XXXXXX").string();
+    explicit Mount(const std::filesystem::path& glsl, const std::filesystem::path& place = "gnomon") {
+        namespace fs = std::filesystem;
+        std::string name = (fs::temp_directory_path() / "gnomon-drop-in-XXXXXX").string();
         if (!mkdtemp(name.data())) throw std::runtime_error("cannot make a temporary folder");
         folder_ = name;
-        for (const char* place : {"gnomon", "third_party/light and shade"}) {
-            std::filesystem::create_directories((folder_ / place).parent_path());
-            std::filesystem::copy(glsl, folder_ / place, std::filesystem::copy_options::recursive);
+        for (auto i = fs::recursive_directory_iterator(glsl); i != fs::recursive_directory_iterator(); ++i) {
+            if (i->is_directory() && i->path().filename() == "examples") i.disable_recursion_pending();
+            if (i->path().extension() != ".glsl" && i->path().extension() != ".h") continue;
+            const fs::path copy = folder_ / place / fs::relative(i->path(), glsl);
+            fs::create_directories(copy.parent_path());
+            fs::copy_file(i->path(), copy);
         }
     }
     Mount(const Mount&) = delete;
@@ -57,6 +54,12 @@ public:
     ~Mount() {
         std::error_code ignored;
         std::filesystem::remove_all(folder_, ignored);
+    }
+
+    /// A shader outside the copies, for compile.
+    [[nodiscard]] std::filesystem::path put(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_ / name, std::ios::binary) << text;
+        return folder_ / name;
     }
 
     struct Compiled {

@@ -20,7 +20,8 @@ inline constexpr std::array kTopQueries{TopQuery::psv, TopQuery::dPsv, TopQuery:
 inline constexpr std::array<const char*, 4> kTopQueryNames{"psv", "d-psv", "d-stackless", "d-hybrid"};
 
 struct TopAnswer {
-    bool inShadow = false;
+    uint visibility = GNO_VISIBILITY_UNKNOWN;
+    bool inShadow = false;  ///< visibility is GNO_VISIBILITY_SHADOW
     uint visitedNodes = 0;
     uint deepestStack = 0;
     uint stackOverflows = 0;

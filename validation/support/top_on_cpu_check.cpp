@@ -59,7 +59,9 @@ std::string firstWrong(TopTree& tree, const TinyScene& scene, const std::vector<
         for (size_t i = 0; i < scene.samples.size(); ++i) {
             for (size_t q = 0; q < kTopQueries.size(); ++q) {
                 doing = kTopQueryNames[q];
-                const bool got = tree.ask(kTopQueries[q], scene.samples[i]).inShadow;
+                const TopAnswer answer = tree.ask(kTopQueries[q], scene.samples[i]);
+                if (answer.visibility == GNO_VISIBILITY_UNKNOWN) throw std::runtime_error("has no answer");
+                const bool got = answer.inShadow;
                 if (got == (expected[i] != 0)) continue;
                 std::snprintf(line, sizeof line, "%s, float mode %u, sample %zu: %s, should be %s", doing, floatMode, i, got ? "dark" : "lit",
                               got ? "lit" : "dark");

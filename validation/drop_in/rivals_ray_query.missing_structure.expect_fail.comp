@@ -1,9 +1,0 @@
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_ray_query : require
-// SPDX-License-Identifier: MIT
-// Must fail with the #error of rivals/ray_query.glsl that names GNO_RAY_QUERY_STRUCTURE.
-#define GNO_LIGHT vec4(1.0)
-#include "gnomon/rivals/ray_query.glsl"
-layout(local_size_x = 64) in;
-void main() {}
