@@ -2,8 +2,9 @@
 # Installs what is missing, builds Release into build/, and runs every test through ctest. Arguments are handed to ctest: ./validation/run.sh -R top
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+[ "${GNOMON_MINIMAL:-0}" != 1 ] || { echo "validation/run.sh: the tests need everything: unset GNOMON_MINIMAL" >&2; exit 2; }
 . host_min/setup.sh
-cmake -G Ninja -B build -DCMAKE_BUILD_TYPE=Release ${GNOMON_CMAKE_ARGS:-} > /dev/null
+cmake -G Ninja -B build -DCMAKE_BUILD_TYPE=Release "${gnomon_cmake_options[@]}" ${GNOMON_CMAKE_ARGS:-} > /dev/null
 cmake --build build ${GNOMON_BUILD_ARGS:-}
 log=build/ctest-times.txt
 status=0

@@ -110,8 +110,9 @@ std::vector<uint32_t> castersOf(const WrongSamples& wrong) {
 }
 
 std::string leftOut(const WrongSamples& wrong) {
-    const std::string all = fmt::format("{} of {} samples are wrong: {} leaks, {} false dark", grouped(wrong.wrong), grouped(wrong.checked),
-                                        grouped(wrong.leaks), grouped(wrong.wrong - wrong.leaks));
+    std::string all = fmt::format("{} of {} samples are wrong: {} leaks, {} false dark", grouped(wrong.wrong), grouped(wrong.checked),
+                                  grouped(wrong.leaks), grouped(wrong.wrong - wrong.leaks - wrong.unknown));
+    if (wrong.unknown > 0) all += fmt::format(", {} without an answer", grouped(wrong.unknown));
     if (wrong.samples.size() == wrong.wrong) return all;
     return fmt::format("{}; drawing {} of them, leaks first (--limit)", all, grouped(wrong.samples.size()));
 }

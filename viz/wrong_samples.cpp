@@ -53,9 +53,12 @@ WrongSamples wrongSamplesOf(const Dump& dump, std::span<const Corners> corners, 
     for (uint32_t i = 0; i < samples.size(); ++i) {
         if (samples[i].own > GNO_NO_CASTER) continue;
         ++result.checked;
-        if ((visibility[i] == GNO_VISIBILITY_SHADOW) == (shadow[i] == 1)) continue;
+        if (visibility[i] == (shadow[i] == 1 ? GNO_VISIBILITY_SHADOW : GNO_VISIBILITY_LIT)) continue;
         ++result.wrong;
-        result.leaks += shadow[i] == 1;
+        if (visibility[i] == GNO_VISIBILITY_UNKNOWN)
+            ++result.unknown;
+        else
+            result.leaks += shadow[i] == 1;
         if (shadow[i] == 1 && caster[i] >= corners.size())
             throw InputError(fmt::format("{}: the oracle names caster {}, and there are {}", dump.name(), caster[i], corners.size()));
         const WrongSample sample{{i % dump.width(), i / dump.width()}, samples[i].position, samples[i].own, shadow[i] == 1, caster[i]};

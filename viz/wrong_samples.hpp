@@ -22,8 +22,8 @@ struct WrongSample {
 };
 
 struct WrongSamples {
-    std::vector<WrongSample> samples;  ///< at most as many as were asked for: leaks first
-    uint64_t checked = 0, wrong = 0, leaks = 0;
+    std::vector<WrongSample> samples;                         ///< at most as many as were asked for: leaks first
+    uint64_t checked = 0, wrong = 0, leaks = 0, unknown = 0;  ///< unknown: wrong ones that have no answer
 };
 
 /// Throws InputError: the dump has no oracle's answers, or they are not those that its record counted.

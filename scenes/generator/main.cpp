@@ -3,10 +3,9 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
-#include <exception>
-#include <iostream>
 
 #include "host_min/error.hpp"
+#include "host_min/output/guarded.hpp"
 #include "scenes/generator/catalogue.hpp"
 #include "scenes/generator/glb.hpp"
 
@@ -70,13 +69,5 @@ int run(int argc, char** argv) {
 }  // namespace gno::scenes
 
 int main(int argc, char** argv) {
-    try {
-        return gno::scenes::run(argc, argv);
-    } catch (const gno::host::InputError& error) {
-        std::cerr << "gnomon-scenes: " << error.what() << '\n';
-        return 2;
-    } catch (const std::exception& error) {
-        std::cerr << "gnomon-scenes: " << error.what() << '\n';
-        return 1;
-    }
+    return gno::host::guarded("gnomon-scenes", "use a smaller --size", [&] { return gno::scenes::run(argc, argv); });
 }

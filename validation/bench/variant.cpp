@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "glsl/core/pass.hpp"
 #include "glsl/top/node.h"
 #include "validation/support/spirv_file.hpp"
 
@@ -15,12 +16,14 @@ using host::Binding;
 
 constexpr uint32_t kPoison = 0xDEADBEEFu;  // a shader that writes nothing must not look right
 
-host::Specialization constants(uint32_t stack, bool depthTest) { return {{0, GNO_PRECISION_CERTIFIED}, {1, stack}, {2, depthTest ? 1u : 0u}}; }
+host::Specialization constants(uint32_t stack, bool depthTest) {
+    return {{GNO_ID_PRECISION, GNO_PRECISION_CERTIFIED}, {GNO_ID_STACK_SIZE, stack}, {GNO_ID_DEPTH_TEST, depthTest ? 1u : 0u}};
+}
 
 }  // namespace
 
 Variant::Variant(const host::Device& device, const std::string& name) : device_(device), name_(name) {
-    const host::Specialization build{{0, GNO_PRECISION_CERTIFIED}, {10, kTopGroupSize}};
+    const host::Specialization build{{GNO_ID_PRECISION, GNO_PRECISION_CERTIFIED}, {GNO_ID_GROUP_SIZE, kTopGroupSize}};
     setUp_ = pass("set_up", build);
     build_ = pass("build", build);
     queries_["psv"] = pass("query_stack", constants(32, false));
@@ -46,7 +49,7 @@ Variant::Tree Variant::build(const host::FrameInputs& inputs, uint32_t seed) con
     host::Recording recording(device_);
     for (const auto* dispatch : {setUp_.get(), build_.get()}) {
         recording.beginPass(dispatch == build_.get() ? "build" : "set_up");
-        dispatch->dispatch(recording, resources, bytes, topGroupCount(inputs.triangleCount()));
+        dispatch->dispatch(recording, resources, bytes, groupsFor(inputs.triangleCount(), kTopGroupSize));
         recording.endPass();
     }
     recording.submit();

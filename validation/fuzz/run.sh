@@ -14,8 +14,8 @@ tree="-DGNO_TOP_STACK_SIZE=3 -DGNO_TOP_SHORT_STACK_SIZE=2 $root/validation/suppo
 echo "fuzzing for $minutes minutes; folder $build"
 if command -v clang++ > /dev/null; then
     # shellcheck disable=SC2086
-    clang++ $flags -fsanitize=fuzzer,undefined -fno-sanitize-recover=undefined -DGNO_TOP_VARIANT='"short stacks"' $sources "$here/libfuzzer.cpp" $tree \
-        -o "$build/gnomon-libfuzzer"
+    clang++ $flags -fsanitize=fuzzer,undefined -fno-sanitize-recover=undefined -DGNO_TOP_VARIANT='"short stacks"' \
+        $sources "$here/libfuzzer.cpp" $tree -o "$build/gnomon-libfuzzer"
     "$build/gnomon-libfuzzer" -max_total_time=$((minutes * 60)) -max_len=1024 -timeout=10 -print_final_stats=1 -verbosity=1 \
         -artifact_prefix="$build/finding-" "$build/pool" "$here/corpus" 2>&1 | tee "$build/log.txt" | grep -v '^#.*\(NEW\|REDUCE\)' || true
     if ls "$build"/finding-* > /dev/null 2>&1; then

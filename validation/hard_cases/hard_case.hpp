@@ -26,7 +26,7 @@ struct HardCase {
     std::vector<std::string> choices{};   ///< the same, one after the other, at the first insertion seed of a scene; later seeds take turns
 };
 
-/// All families, in the order of the table in validation/README.md.
+/// All families, in the order of the table in validation/measured/hard_cases.md.
 const std::vector<HardCase>& hardCases();
 
 // One per file.

@@ -47,7 +47,7 @@ Merged mergeResults(std::span<const fs::path> files, const fs::path& into) {
     all.insert(all.end(), files.begin(), files.end());
     for (const fs::path& file : all) {
         ReadResults read = readResults(file);
-        merged.notes.insert(merged.notes.end(), read.notes.begin(), read.notes.end());
+        for (const Problem& problem : read.problems) merged.notes.push_back(fmt::format("{}: {}; left out", file.string(), textOf(problem)));
         for (Row& row : read.rows) {
             const auto [at, isNew] = byJob.emplace(row["job"].get<std::string>(), rows.size());
             if (isNew) {

@@ -20,10 +20,14 @@ namespace {
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-bool isRow(const Row& row) {
+/// Why this line is no row of a study; empty: it is one.
+std::string faultOf(const Row& row, bool isLast) {
     const auto isText = [&](const char* key) { return row.contains(key) && row[key].is_string(); };
-    return row.is_object() && row.contains("schema") && row["schema"] == kResultsSchema && isText("kind") && row["kind"] == kResultsKind &&
-           isText("job");
+    if (row.is_discarded()) return isLast ? "broken off in the middle, as an interrupt leaves it" : "not JSON";
+    if (!row.is_object() || !isText("kind") || row["kind"] != kResultsKind) return fmt::format("not a row of {}", kResultsKind);
+    if (!row.contains("schema") || row["schema"] != kResultsSchema)
+        return fmt::format("its schema is not {}: a newer {} wrote it", kResultsSchema, kResultsKind);
+    return isText("job") ? "" : "it names no job";
 }
 
 /// 0 or errno.
@@ -39,6 +43,8 @@ int writeAll(int file, std::string_view text) {
 
 }  // namespace
 
+std::string textOf(const Problem& problem) { return fmt::format("line {}: {}", problem.line, problem.why); }
+
 std::string lineOf(const Row& row) { return row.dump(-1, ' ', false, Row::error_handler_t::replace) + "\n"; }
 
 ReadResults readResults(const fs::path& path) {
@@ -49,33 +55,27 @@ ReadResults readResults(const fs::path& path) {
     if (!file || (stream << file.rdbuf(), file.bad())) throw host::InputError(fmt::format("cannot read '{}': {}", path.string(), reason(errno)));
     const std::string text = stream.str();
     ReadResults results;
-    uint64_t number = 0, broken = 0;
-    for (size_t begin = 0; begin < text.size();) {
+    for (size_t begin = 0, number = 1; begin < text.size(); ++number) {
         const size_t end = text.find('\n', begin), next = end == std::string::npos ? text.size() : end + 1;
         const std::string_view line = std::string_view(text).substr(begin, (end == std::string::npos ? text.size() : end) - begin);
-        ++number;
-        Row row = Row::parse(line, nullptr, false);
-        if (isRow(row)) {
-            results.rows.push_back(std::move(row));
-            results.goodBytes = next;
-            results.endsOpen = end == std::string::npos;
-        } else if (next == text.size()) {
+        const bool isBlank = line.find_first_not_of(" \t\r") == std::string_view::npos, isLast = next == text.size();
+        Row row = isBlank ? Row() : Row::parse(line, nullptr, false);
+        const std::string fault = isBlank ? "" : faultOf(row, isLast);
+        if (!fault.empty()) results.problems.push_back({number, fault});
+        if (!fault.empty() && isLast)
             results.brokenEnd = text.substr(begin);
-            ++broken;
-            results.notes.push_back(fmt::format("{}: the last line ({}) is broken", path.string(), number));
-        } else {
+        else
             results.goodBytes = next;
-            if (line.empty()) {
-                begin = next;
-                continue;
-            }
-            ++broken;
-            results.notes.push_back(fmt::format("{}: line {} is no row of a study; skipped", path.string(), number));
+        if (fault.empty() && !isBlank) {
+            results.rows.push_back(std::move(row));
+            results.lines.push_back(number);
+            results.endsOpen = end == std::string::npos;
         }
         begin = next;
     }
+    const size_t broken = results.problems.size();
     if (results.rows.empty() && (broken > 1 || (broken == 1 && results.brokenEnd.find(kResultsKind) == std::string::npos)))
-        throw host::InputError(fmt::format("'{}' holds no row of a study: name another file", path.string()));
+        throw host::InputError(fmt::format("'{}' holds no row of a study ({}): name another file", path.string(), textOf(results.problems.front())));
     return results;
 }
 
@@ -91,6 +91,7 @@ ResultsFile::ResultsFile(const fs::path& path) : path_(path) {
         if (::flock(file_, LOCK_EX | LOCK_NB) != 0)
             throw host::InputError(fmt::format("'{}' is being written by another run: wait for it, or name another file", path.string()));
         ReadResults read = readResults(path);
+        for (const Problem& problem : read.problems) notes_.push_back(fmt::format("{}: {}", path.string(), textOf(problem)));
         if (!read.brokenEnd.empty()) {
             const fs::path aside = path.string() + ".broken";
             std::ofstream kept(aside, std::ios::binary | std::ios::app);
@@ -99,12 +100,11 @@ ResultsFile::ResultsFile(const fs::path& path) : path_(path) {
             if (!kept) throw host::WorkError(fmt::format("cannot write '{}'", aside.string()));
             if (::ftruncate(file_, off_t(read.goodBytes)) != 0)
                 throw host::WorkError(fmt::format("cannot write '{}': {}", path.string(), reason(errno)));
-            read.notes.back() += fmt::format("; moved to {}", aside.string());
+            notes_.back() += fmt::format("; moved to {}", aside.string());
         }
         if (read.endsOpen)
             if (const int error = writeAll(file_, "\n")) throw host::WorkError(fmt::format("cannot write '{}': {}", path.string(), reason(error)));
         rows_ = std::move(read.rows);
-        notes_ = std::move(read.notes);
         for (const Row& row : rows_) jobs_.insert(row["job"].get<std::string>());
     } catch (...) {
         ::close(file_);

@@ -16,15 +16,24 @@ using Row = nlohmann::ordered_json;
 inline constexpr int kResultsSchema = 1;
 inline constexpr const char* kResultsKind = "gnomon-study";
 
+/// A line that is left out.
+struct Problem {
+    uint64_t line = 0;  ///< from 1
+    std::string why;
+};
+std::string textOf(const Problem& problem);  ///< "line 3: not JSON"
+
 struct ReadResults {
     std::vector<Row> rows;
-    std::vector<std::string> notes;  ///< one line each: what is broken, and where
-    uint64_t goodBytes = 0;          ///< up to the end of the last line that is whole, its line end included
-    std::string brokenEnd;           ///< what follows them
-    bool endsOpen = false;           ///< the last row is whole, but its line end is missing
+    std::vector<uint64_t> lines;  ///< a row each: where it stands, from 1
+    std::vector<Problem> problems;
+    uint64_t goodBytes = 0;  ///< up to the end of the last line that is whole, its line end included
+    std::string brokenEnd;   ///< what follows them
+    bool endsOpen = false;   ///< the last row is whole, but its line end is missing
 };
 
-/// Throws InputError: no such file, no right to read it, or not a results file at all.
+/// The one reader of this file: a run that goes on, merge and report. Blank lines are no problem. Throws InputError: no such file, no right to read
+/// it, or not a results file at all.
 ReadResults readResults(const std::filesystem::path& path);
 
 class ResultsFile {

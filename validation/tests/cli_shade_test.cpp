@@ -51,8 +51,8 @@ std::vector<Json> shade(const Stage& stage, std::vector<std::string> arguments) 
 }
 
 void expectContract(const Json& record, bool checked) {
-    Names keys{"schema",  "scene",   "frame",     "light",  "technique", "precision", "settings", "device",   "size",   "triangles",
-               "casters", "samples", "in_shadow", "passes", "total_ms",  "floor_ms",  "bytes",    "counters", "effects"};
+    Names keys{"schema",  "scene",     "frame",   "light",  "technique", "precision", "settings", "device",   "size",       "triangles", "casters",
+               "samples", "in_shadow", "unknown", "passes", "total_ms",  "floor_ms",  "bytes",    "counters", "host_waits", "reruns",    "effects"};
     if (checked) keys.insert("check");
     EXPECT_EQ(keysOf(record), keys);
     EXPECT_EQ(keysOf(record["device"]), (Names{"name", "driver", "subgroup"}));
@@ -66,7 +66,7 @@ void expectContract(const Json& record, bool checked) {
     }
     EXPECT_FALSE(record["passes"].empty());
     EXPECT_NEAR(record["total_ms"].get<double>(), sum, 1e-3);
-    EXPECT_EQ(record["schema"], 1);
+    EXPECT_EQ(record["schema"], 2);
     EXPECT_LE(record["in_shadow"].get<uint64_t>(), record["samples"].get<uint64_t>());
     if (!checked) return;
     EXPECT_EQ(keysOf(record["check"]), (Names{"checked", "wrong", "leaks", "false_dark", "self", "witness"}));

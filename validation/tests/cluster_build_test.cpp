@@ -39,7 +39,6 @@ namespace {
 #pragma GCC diagnostic ignored "-Wunused-function"
 #include "glsl/clusters/nodes.glsl"
 
-using host::ClusterOptions;
 using test::CameraView;
 constexpr uint32_t kSeed = 413;
 
@@ -47,14 +46,10 @@ void build(const CameraView& view, uint32_t form, uint32_t boxes) {
     host::FrameInputs inputs(test::passes(), view.frame, view.pixels, view.width);
     inputs.setLight({0, 0, 0, 1}, host::Cull::none);
     ClusterOptions options;
-    options.form = form;
+    options.form = ClusterForm(form);
     options.boxCapacity = boxes;
-    const host::ClusterHierarchy hierarchy(inputs, options);
-    for (int i = 0; i < 2; ++i) {  // the second finds the arrays as the first left them
-        host::Recording recording(test::passes().device());
-        hierarchy.recordBuild(recording);
-        recording.submit();
-    }
+    // the second run finds the arrays as the first left them
+    const auto hierarchy = host::built<host::ClusterHierarchy>(inputs, options, {.repeat = 2, .warmUp = false, .counters = false});
     arrays = {};
     for (const host::DumpedBuffer& buffer : hierarchy.dump()) {
         const auto fill = [&](auto& list) {

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "host_min/techniques/cluster_hierarchy.hpp"
+#include "host_min/techniques/query_pass.hpp"
 #include "validation/support/camera_view.hpp"
 #include "validation/support/device_test.hpp"
 #include "validation/tests/oracle_cases.hpp"
@@ -16,11 +17,9 @@
 namespace gno {
 namespace {
 
-using host::ClusterOptions;
 using host::Precision;
 using test::CameraView;
-constexpr uint32_t kSeed = 414, kMany = 1u << 16;
-constexpr uint32_t kPoison = 0xDEADBEEFu;
+constexpr uint32_t kSeed = 414, kMany = 1u << 16, kCertified = GNO_PRECISION_CERTIFIED;
 
 /// A floor, casters of all sizes above it, and one big caster before a part of them.
 CameraView soup(bool directional, bool perspective) {
@@ -52,37 +51,31 @@ host::FrameInputs inputsOf(const CameraView& view) {
 
 class Runner {
 public:
-    explicit Runner(const CameraView& view)
-        : view_(view), inputs_(inputsOf(view)), visibility_(test::passes().device(), view.width, view.height, vk::Format::eR32Uint) {
-        poison();
-    }
+    explicit Runner(const CameraView& view) : inputs_(inputsOf(view)) {}
 
     std::vector<uint32_t> run(const ClusterOptions& options) {
-        poison();
-        const host::ClusterHierarchy hierarchy(inputs_, options);
-        host::Recording recording(test::passes().device());
-        hierarchy.record(recording, visibility_);
-        recording.submit();
-        return visibility_.downloadAs<uint32_t>();
+        return ask(host::built<host::ClusterHierarchy>(inputs_, options, {.warmUp = false, .counters = false}));
     }
 
     host::ClusterCounters count(const ClusterOptions& options, std::vector<uint32_t>& mask) {
-        poison();
-        host::ClusterCounters counters = host::ClusterHierarchy(inputs_, options).count(visibility_);
-        mask = visibility_.downloadAs<uint32_t>();
-        return counters;
+        const auto hierarchy = host::built<host::ClusterHierarchy>(inputs_, options);
+        mask = ask(hierarchy);
+        return hierarchy.counters();
     }
 
 private:
-    void poison() { visibility_.clear(vk::ClearColorValue(kPoison, kPoison, kPoison, kPoison)); }
-    const CameraView& view_;
+    std::vector<uint32_t> ask(const host::ClusterHierarchy& hierarchy) const {
+        host::TechniqueResult result;
+        host::ask(inputs_, {clusterQueryPasses(inputs_.width(), inputs_.height(), hierarchy.options()), hierarchy.bindings(), false},
+                  {.counters = false, .warmUp = false}, result);
+        return result.visibility;
+    }
     host::FrameInputs inputs_;
-    host::Image visibility_;
 };
 
 std::string describe(const ClusterOptions& o) {
-    return fmt::format("{}, form {}, split {}, {} planes, {} jobs, {} groups, {} boxes", name(o.precision), o.form, o.split, o.extraPlanes ? 7 : 4,
-                       o.jobCapacity, o.groups, o.boxCapacity);
+    return fmt::format("{}, form {}, split {}, {} planes, {} jobs, {} groups, {} boxes", name(Precision(o.precision)), uint32_t(o.form), o.split,
+                       o.extraPlanes ? 7 : 4, o.jobCapacity, o.groups, o.boxCapacity);
 }
 
 /// Empty: the same; else how many differ and where first.
@@ -97,8 +90,8 @@ std::string difference(const std::vector<uint32_t>& got, const std::vector<uint3
 /// A traversal takes about a second to compile for 8 lanes and three for 16, so each width leaves out what differs least from the rest.
 bool takesPart(const ClusterOptions& options) {
     const uint32_t width = test::passes().device().facts().subgroupSize;
-    if (options.precision == Precision::conservative) return width == 8 && options.form == GNO_CLUSTER_COMPACT;
-    return width < 16 || options.form == GNO_CLUSTER_COMPACT || options.form == GNO_CLUSTER_FLAT;
+    if (options.precision == GNO_PRECISION_CONSERVATIVE) return width == 8 && options.form == ClusterForm::compact;
+    return width < 16 || options.form == ClusterForm::compact || options.form == ClusterForm::flat;
 }
 
 void expectProduct(const CameraView& view) {
@@ -107,12 +100,12 @@ void expectProduct(const CameraView& view) {
     Runner runner(view);
     uint32_t runs = 0;
     for (const auto precision : {Precision::certified, Precision::conservative})
-        for (const uint32_t form : {GNO_CLUSTER_IMPLICIT, GNO_CLUSTER_EXPLICIT, GNO_CLUSTER_COMPACT, GNO_CLUSTER_FLAT})
+        for (const ClusterForm form : {ClusterForm::implicitBounds, ClusterForm::explicitBounds, ClusterForm::compact, ClusterForm::flat})
             for (const uint32_t split : {0u, 1u, 2u, 6u})  // 6: the last level there is
                 for (const uint32_t jobs : {kMany, 1u, 0u})
                     for (const bool extra : {true, false})
                         for (const uint32_t groups : {64u, 1u, 3u}) {
-                            const ClusterOptions options{precision, form, split, extra, groups, jobs, kMany};
+                            const ClusterOptions options{uint32_t(precision), form, split, extra, groups, jobs, kMany};
                             if ((split == 0 && jobs != kMany) || !takesPart(options)) continue;  // without a split there is no list
                             ++runs;
                             ASSERT_EQ(difference(runner.run(options), want), "") << describe(options);
@@ -129,8 +122,8 @@ TEST(ClusterTraverse, OrthographicAndFewBoxes) {
         const std::vector<uint32_t> want = oracleMask(view);
         Runner runner(view);
         for (const uint32_t boxes : {kMany, 1u, 60u})
-            for (const uint32_t form : {GNO_CLUSTER_IMPLICIT, GNO_CLUSTER_COMPACT, GNO_CLUSTER_FLAT}) {
-                const ClusterOptions options{Precision::certified, form, 2, true, 64, kMany, boxes};
+            for (const ClusterForm form : {ClusterForm::implicitBounds, ClusterForm::compact, ClusterForm::flat}) {
+                const ClusterOptions options{kCertified, form, 2, true, 64, kMany, boxes};
                 EXPECT_EQ(difference(runner.run(options), want), "") << describe(options);
             }
     }
@@ -142,7 +135,7 @@ TEST(ClusterTraverse, TwentyRepeats) {
     const std::vector<uint32_t> want = oracleMask(view);
     Runner runner(view);
     for (int i = 0; i < 20; ++i) {
-        const ClusterOptions options{Precision::certified, GNO_CLUSTER_COMPACT, uint32_t(i % 3), true, 64, i % 2 ? kMany : 40u, kMany};
+        const ClusterOptions options{kCertified, ClusterForm::compact, uint32_t(i % 3), true, 64, i % 2 ? kMany : 40u, kMany};
         ASSERT_EQ(difference(runner.run(options), want), "") << "repeat " << i << ", " << describe(options);
     }
 }
@@ -166,7 +159,7 @@ TEST(ClusterTraverse, AcceptedNodesAndCounters) {
     Runner runner(view);
     for (const uint32_t split : {0u, 2u}) {
         std::vector<uint32_t> mask;
-        const ClusterOptions options{Precision::certified, GNO_CLUSTER_COMPACT, split, true, 64, kMany, kMany};
+        const ClusterOptions options{kCertified, ClusterForm::compact, split, true, 64, kMany, kMany};
         const host::ClusterCounters c = runner.count(options, mask);
         EXPECT_EQ(difference(mask, want), "") << describe(options);
         EXPECT_GT(c.accepted, 0u);
@@ -208,9 +201,9 @@ TEST(ClusterTraverse, ShippedScene) {
         fillPixels(view);
         const std::vector<uint32_t> want = oracleMask(view);
         Runner runner(view);
-        for (const uint32_t form : {GNO_CLUSTER_IMPLICIT, GNO_CLUSTER_EXPLICIT, GNO_CLUSTER_COMPACT, GNO_CLUSTER_FLAT})
+        for (const ClusterForm form : {ClusterForm::implicitBounds, ClusterForm::explicitBounds, ClusterForm::compact, ClusterForm::flat})
             for (const uint32_t split : {0u, 2u}) {
-                const ClusterOptions options{Precision::certified, form, split, true, 64, kMany, kMany};
+                const ClusterOptions options{kCertified, form, split, true, 64, kMany, kMany};
                 if (!takesPart(options)) continue;
                 EXPECT_EQ(difference(runner.run(options), want), "") << "light " << light << ", " << describe(options);
             }

@@ -4,3 +4,8 @@ add_library(gnomon_camera_view STATIC ${PROJECT_SOURCE_DIR}/validation/support/c
 target_link_libraries(gnomon_camera_view PRIVATE gnomon_flags PUBLIC gnomon_device_test)
 gnomon_add_device_test(cluster_build_test LIBRARIES gnomon_camera_view)
 gnomon_add_device_test(cluster_traverse_test LIBRARIES gnomon_camera_view)
+gnomon_add_device_test(cluster_lanes_test LIBRARIES gnomon_camera_view)
+find_program(GNOMON_GLSLANG glslangValidator REQUIRED)
+find_program(GNOMON_SPIRV_VAL spirv-val REQUIRED)
+target_compile_definitions(cluster_lanes_test PRIVATE GNOMON_SOURCE_DIR="${PROJECT_SOURCE_DIR}" GNOMON_GLSLANG="${GNOMON_GLSLANG}"
+  GNOMON_SPIRV_VAL="${GNOMON_SPIRV_VAL}")

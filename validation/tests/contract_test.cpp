@@ -14,7 +14,10 @@ Library readLibrary() {
     Library library;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
         const std::string extension = entry.path().extension();
-        if (!entry.is_regular_file() || extension == ".md" || entry.path().filename() == "LICENSE") continue;
+        if (!entry.is_regular_file() || (extension != ".glsl" && extension != ".h" && extension != ".comp" && extension != ".frag" &&
+                                         extension != ".vert" && extension != ".geom"))
+            continue;
+        if (entry.path().parent_path().filename() == "hello") continue;  // an engine, not a module
         library[std::filesystem::relative(entry.path(), root).string()] = readText(entry.path());
     }
     return library;
@@ -39,6 +42,7 @@ const Library kGood{{"core/base.h", R"glsl(// SPDX-License-Identifier: MIT
 #include <cstddef>
 int x = 1;
 #endif
+#define GNO_PASS_ADD 2
 struct GnoBase { vec3 a; };
 #endif
 )glsl"},
@@ -77,6 +81,7 @@ struct GnoBase { vec3 a; };
 // Macro                      required  default  meaning
 // GNO_SIZE                   no        32       entries
 // GNO_EXTRA                  no        -        one more
+// GNO_BUILDS                 no        GNO_PASS_ADD  what it does
 // GNO_BASE(index)            yes       -        where an index leads; not where GNO_WHOSE is given
 // GNO_WHOSE(index)           no        GNO_BASE(index)  the same, twice
 // The macros of part.glsl    yes       -        things
@@ -92,6 +97,10 @@ struct GnoBase { vec3 a; };
 #ifndef GNO_WHOSE
 #define GNO_WHOSE(index_) GNO_BASE(index_)
 #endif
+#ifndef GNO_BUILDS
+#define GNO_BUILDS GNO_PASS_ADD
+#endif
+#if (GNO_BUILDS) & (1 | GNO_PASS_ADD)
 float gnoWhole(GnoBase base_, vec3 p_) {
     float sum_ = p_.x, other_ = base_.a.x;
     for (uint i_ = 0u; i_ < uint(GNO_SIZE); ++i_) sum_ += gnoPart_(GNO_WHOSE(i_)).x;
@@ -100,6 +109,7 @@ float gnoWhole(GnoBase base_, vec3 p_) {
 #endif
     return sum_ + other_;
 }
+#endif
 #endif
 )glsl"},
                     {"core/bindings.glsl", R"glsl(// SPDX-License-Identifier: MIT
@@ -116,6 +126,9 @@ float gnoWhole(GnoBase base_, vec3 p_) {
 #ifndef GNO_CORE_BINDINGS_GLSL
 #define GNO_CORE_BINDINGS_GLSL
 #include "base.h"
+#ifdef GNO_OLD_SET
+#error "core/bindings.glsl: GNO_OLD_SET is called otherwise"
+#endif
 #ifndef GNO_SET
 #define GNO_SET 1
 #endif
@@ -134,6 +147,15 @@ void main() {}
 
 TEST(Checker, FindsNothingInAGoodLibrary) {
     for (const std::string& fault : contractFaults(kGood)) ADD_FAILURE() << fault;
+}
+
+TEST(Checker, ReadsADeclarationInTwoLines) {
+    Library library = kGood;
+    std::string& text = library.at("core/whole.glsl");
+    const std::string from = "base, vec3 p)";
+    ASSERT_NE(text.find(from), std::string::npos);
+    text.replace(text.find(from), from.size(), "base,\n//                  vec3 p)");
+    for (const std::string& fault : contractFaults(library)) ADD_FAILURE() << fault;
 }
 
 struct Spoilt {
@@ -157,6 +179,9 @@ const Spoilt kSpoilt[] = {
     {"CodeWithoutRow", "core/whole.glsl", "// GNO_SIZE                   no        32       entries\n", "", "reads GNO_SIZE, which has no row"},
     {"OptionalMacroWithoutRow", "core/whole.glsl", "// GNO_EXTRA                  no        -        one more\n", "",
      "reads GNO_EXTRA, which has no row"},
+    {"NoConstant", "core/base.h", "#define GNO_PASS_ADD 2", "#ifndef GNO_PASS_ADD\n#define GNO_PASS_ADD 2\n#endif",
+     "core/whole.glsl: reads GNO_PASS_ADD, which has no row"},
+    {"NoRefusedName", "core/bindings.glsl", "#ifdef GNO_OLD_SET", "#ifndef GNO_OLD_SET", "reads GNO_OLD_SET, which has no row"},
     {"RowsNotTakenOver", "core/whole.glsl",
      "float sum_ =", "#if GNO_ROOT\n#endif\n#ifndef GNO_ROOT\n#define GNO_ROOT 1u\n#endif\nfloat sum_ =", "GNO_ROOT is 1u by default"},
     {"TakenOverFromNowhere", "core/whole.glsl", "of part.glsl ", "of parts.glsl", "which does not exist"},
@@ -171,6 +196,7 @@ const Spoilt kSpoilt[] = {
     {"UndeclaredFunction", "core/part.glsl", "gnoPart_", "gnoPart", "public function gnoPart is not in the header"},
     {"DeclaredButGone", "core/whole.glsl", "float gnoWhole(GnoBase base_", "float gnoAll_(GnoBase base_", "the header promises gnoWhole"},
     {"OtherParameterType", "core/whole.glsl", "base, vec3 p)", "base, vec4 p)", "with other types"},
+    {"OtherTypeInASecondLine", "core/whole.glsl", "base, vec3 p)", "base,\n//                  vec4 p)", "with other types"},
     {"OtherReturnType", "core/whole.glsl", "//   float gnoWhole", "//   bool gnoWhole", "with other types"},
     {"ParameterName", "core/part.glsl", "(uint at_)", "(uint at)", "parameter at of gnoPart_"},
     {"LocalName", "core/whole.glsl", "float sum_ =", "float sum =", "local sum of gnoWhole"},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The forest on the device: whatever its cells, culling, query and stack, the mask is the definition's; its pool is exactly as large as it has to
-// be, or nothing is answered.
+// The forest on the device: whatever its cells, culling, query and stack, the mask is the definition's; a pool that is too small is enlarged, or,
+// when it was given, nothing is answered; without cells=counted the host does not wait.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <set>
 
 #include "glsl/forest/cells.h"
+#include "glsl/forest/passes.hpp"
 #include "host_min/error.hpp"
 #include "validation/support/device_test.hpp"
 #include "validation/tests/oracle_cases.hpp"
@@ -58,7 +59,9 @@ public:
         const test::Wrong wrong = test::compare(result, want_, scene_.samples);
         EXPECT_EQ(wrong.wrong, 0u) << testing::PrintToString(settings) << ", leaks " << wrong.leaks << ", first wrong: sample " << wrong.first;
     }
+    void nextFrame() { structures_.nextFrame(); }
     [[nodiscard]] const test::Scene& scene() const { return scene_; }
+    [[nodiscard]] const host::FrameInputs& inputs() const { return inputs_; }
     [[nodiscard]] const host::OracleAnswer& want() const { return want_; }
 
 private:
@@ -132,12 +135,14 @@ TEST(ForestTechnique, NodesWithoutPlanesTakeHalf) {
         const auto bytes = [](const host::TechniqueResult& result) {
             return std::map<std::string, uint64_t>(result.bytes.begin(), result.bytes.end());
         };
-        const host::TechniqueResult with = asked.run({"cells=8", "nodes=128"}, true), without = asked.run({"cells=8", "nodes=64"}, true);
-        const uint64_t pairs = numberOf(with, "pairs");
+        const uint64_t pairs = numberOf(asked.run({"cells=8"}), "pairs"), room = pairs + pairs % 2;
+        const std::string pool = "pool=" + std::to_string(pairs);
+        const host::TechniqueResult with = asked.run({"cells=8", "nodes=128", pool}, true), without = asked.run({"cells=8", "nodes=64", pool}, true);
+        EXPECT_EQ(numberOf(with, "pairs"), pairs);
         EXPECT_EQ(numberOf(without, "pairs"), pairs);
-        EXPECT_EQ(bytes(with).at("trees"), 128 * pairs);
-        EXPECT_EQ(bytes(without).at("trees"), 64 * pairs);
-        EXPECT_EQ(bytes(without).at("pairs"), 8 * pairs);
+        EXPECT_EQ(bytes(with).at("trees"), 128 * room);
+        EXPECT_EQ(bytes(without).at("trees"), 64 * room);
+        EXPECT_EQ(bytes(without).at("pairs"), 8 * room);
         EXPECT_TRUE(
             std::none_of(without.dump.begin(), without.dump.end(), [](const host::DumpedBuffer& buffer) { return buffer.name == "planes"; }));
     }
@@ -190,6 +195,57 @@ TEST(ForestTechnique, APoolOfExactlyWhatIsNeeded) {
                 EXPECT_NE(text.find(part), std::string::npos) << text;
             EXPECT_EQ(text.find('\n'), std::string::npos) << text;
         }
+    }
+}
+
+/// At first nobody knows how many pairs there will be; the frame is built again when there was no room, and the next one knows.
+TEST(ForestTechnique, APoolThatWasTooSmallIsEnlarged) {
+    for (const bool directional : {false, true}) {
+        Asked asked(soup(directional));
+        const Strings settings{"cells=256", "view_cull=off", "cover=off"};
+        const host::TechniqueResult first = asked.run(settings, true);
+        ASSERT_GT(numberOf(first, "pairs"), forestFirstPool(asked.inputs().casterCount())) << "the scene has to be too much";
+        EXPECT_EQ(first.reruns, 1u);
+        EXPECT_EQ(first.hostWaits, 0u);
+        expectWhole(first, asked.scene().triangles.size());
+        asked.expectRight(settings);
+        asked.nextFrame();
+        const host::TechniqueResult next = asked.run(settings);
+        EXPECT_EQ(next.reruns, 0u);
+        EXPECT_EQ(next.visibility, first.visibility);
+        EXPECT_EQ(numberOf(next, "pairs"), numberOf(first, "pairs"));
+        for (const auto& [name, bytes] : next.bytes)
+            if (name == "pairs") {
+                EXPECT_EQ(bytes, 8 * forestPoolFor(numberOf(first, "pairs")));
+            }
+    }
+}
+
+/// Only cells=counted reads within the frame, and says so; its choice has the least cost of all that it could have counted.
+TEST(ForestTechnique, WaitsOnlyToCount) {
+    for (const bool directional : {false, true}) {
+        Asked asked(soup(directional));
+        const auto passNamed = [](const host::TechniqueResult& result, const std::string& name) {
+            return std::any_of(result.passes.begin(), result.passes.end(), [&](const host::RecordPass& pass) { return pass.name == name; });
+        };
+        const host::TechniqueResult known = asked.run({"cells=auto"});
+        EXPECT_EQ(known.hostWaits, 0u);
+        EXPECT_FALSE(passNamed(known, "host_wait"));
+        EXPECT_EQ(numberOf(known, "cells"), forestResolution(asked.inputs().casterCount(), asked.inputs().sampleCount()));
+        const host::TechniqueResult counted = asked.run({"cells=counted"}, true);
+        EXPECT_GE(counted.hostWaits, 2u);
+        EXPECT_TRUE(passNamed(counted, "host_wait"));
+        for (const uint32_t resolution : {4u, 8u}) EXPECT_TRUE(passNamed(counted, "forest_setup_choose_" + std::to_string(resolution)));
+        for (const host::RecordPass& pass : counted.passes) EXPECT_EQ(host::isBuildPass(pass.name), pass.name != "forest_query") << pass.name;
+        expectWhole(counted, asked.scene().triangles.size());
+        asked.expectRight({"cells=counted"});
+        const auto cost = [&](const host::TechniqueResult& result) {
+            const uint64_t cells = numberOf(result, "cells");
+            return forestVisits(numberOf(result, "pairs"), numberOf(result, "used_cells"), asked.inputs().sampleCount(),
+                                (directional ? 1 : 6) * cells * cells);
+        };
+        for (const uint32_t resolution : kForestResolutions)
+            EXPECT_LE(cost(counted), cost(asked.run({"cells=" + std::to_string(resolution)}))) << resolution;
     }
 }
 

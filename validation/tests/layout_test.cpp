@@ -2,11 +2,15 @@
 // One definition for C++ and GLSL: offsets, strides and sizes of the structs that both read, as C++ has them and as the compiled SPIR-V has them.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstddef>
+#include <cstring>
 #include <optional>
 #include <spirv_cross/spirv_cross.hpp>
 
 #include "glsl/clusters/cluster.h"
+#include "glsl/clusters/passes.hpp"
+#include "glsl/core/pass.hpp"
 #include "glsl/forest/cells.h"
 #include "glsl/rivals/light_bvh.h"
 #include "glsl/rivals/light_grid.h"
@@ -120,8 +124,8 @@ TEST(Layout, SlabsOfATopTree) {
 }
 
 TEST(Layout, HeaderOfATopTree) {
-    const std::vector<Member> header{MEMBER(GnoTopHeader, root), MEMBER(GnoTopHeader, casterCount), MEMBER(GnoTopHeader, unused0),
-                                     MEMBER(GnoTopHeader, unused1)};
+    const std::vector<Member> header{MEMBER(GnoTopHeader, root), MEMBER(GnoTopHeader, casterCount), MEMBER(GnoTopHeader, state),
+                                     MEMBER(GnoTopHeader, inserted)};
     for (const std::string shader : kTreeShaders) {
         SCOPED_TRACE(shader);
         const Reflection reflection(shader);
@@ -143,10 +147,10 @@ TEST(Layout, BytesOfATopTreeFollowFromTheStrides) {
     EXPECT_EQ(topTreeBytes(0), topTreeBytes(1)) << "an empty scene still has buffers to bind";
     EXPECT_EQ(topTreeBytes(1ull << 33), 128ull * (1ull << 33) + header) << "must not wrap at 32 bits";
     EXPECT_EQ(topPlaneBytes(2097152), 128ull << 20) << "what one binding of 128 MiB holds";
-    EXPECT_EQ(topGroupCount(0), 0u);
-    EXPECT_EQ(topGroupCount(1), 1u);
-    EXPECT_EQ(topGroupCount(kTopGroupSize), 1u);
-    EXPECT_EQ(topGroupCount(kTopGroupSize + 1), 2u);
+    EXPECT_EQ(groupsFor(0, kTopGroupSize), 1u);  // the first invocation writes an empty tree's header
+    EXPECT_EQ(groupsFor(1, kTopGroupSize), 1u);
+    EXPECT_EQ(groupsFor(kTopGroupSize, kTopGroupSize), 1u);
+    EXPECT_EQ(groupsFor(kTopGroupSize + 1, kTopGroupSize), 2u);
 }
 
 const std::vector<std::string>& clusterShaders() {
@@ -180,11 +184,44 @@ TEST(Layout, FrameOfAClusterHierarchy) {
     }
 }
 
+#define SAME_PLACE(mine, theirs, member) EXPECT_EQ(offsetof(mine, member), offsetof(theirs, member))
+
+// clusters/passes.hpp does without GLM, so it says the same again.
+TEST(Layout, ClustersOfTheHostAreThoseOfTheDevice) {
+    static_assert(sizeof(ClusterFrame) == sizeof(GnoClusterFrame) && sizeof(ClusterLayout) == sizeof(GnoClusterLayout));
+    SAME_PLACE(ClusterFrame, GnoClusterFrame, right);
+    SAME_PLACE(ClusterFrame, GnoClusterFrame, down);
+    SAME_PLACE(ClusterFrame, GnoClusterFrame, forward);
+    SAME_PLACE(ClusterFrame, GnoClusterFrame, size);
+    SAME_PLACE(ClusterFrame, GnoClusterFrame, casterCount);
+    SAME_PLACE(ClusterFrame, GnoClusterFrame, jobCapacity);
+    SAME_PLACE(ClusterFrame, GnoClusterFrame, boxCapacity);
+    SAME_PLACE(ClusterFrame, GnoClusterFrame, split);
+    SAME_PLACE(ClusterFrame, GnoClusterFrame, extraPlanes);
+    SAME_PLACE(ClusterFrame, GnoClusterFrame, frontCulled);
+    const std::array sizes{1u, 7u, 8u, 9u, 61u, 64u, 65u, 1000u, 1080u, 1920u, 4096u, 5000u, 8191u, 8192u};
+    for (const uint32_t form : {GNO_CLUSTER_IMPLICIT, GNO_CLUSTER_EXPLICIT, GNO_CLUSTER_COMPACT, GNO_CLUSTER_FLAT})
+        for (const uint32_t width : sizes)
+            for (const uint32_t height : sizes) {
+                SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height) + ", form " + std::to_string(form));
+                const GnoClusterLayout want = gnoClusterLayout({width, height}, form);
+                const ClusterLayout got = clusterLayout(width, height, ClusterForm(form));
+                ASSERT_EQ(std::memcmp(&got, &want, sizeof want), 0);
+                EXPECT_EQ(clusterWordCount(got), gnoClusterWordCount(want));
+                EXPECT_EQ(clusterNodeCount(got), gnoClusterNodeCount(want));
+                EXPECT_EQ(clusterSlices(got), gnoClusterSlices(want));
+                EXPECT_EQ(clusterShadeWords(got), gnoClusterShadeWords(want));
+                EXPECT_EQ(clusterTileHeight(got.form), gnoClusterTileHeight(want));
+                for (uint32_t depth = 0; depth < want.levels; ++depth) EXPECT_EQ(clusterWordsAt(got, depth), gnoClusterWordsAt(want, depth));
+            }
+}
+
 TEST(Layout, HeaderAndArraysOfAClusterHierarchy) {
     const std::vector<Member> header{MEMBER(GnoClusterHeader, leastDepth), MEMBER(GnoClusterHeader, largestDepth), MEMBER(GnoClusterHeader, slack),
                                      MEMBER(GnoClusterHeader, boxCount),   MEMBER(GnoClusterHeader, nextCaster),   MEMBER(GnoClusterHeader, nextJob),
-                                     MEMBER(GnoClusterHeader, jobCount),   MEMBER(GnoClusterHeader, unused0),      MEMBER(GnoClusterHeader, groups),
-                                     MEMBER(GnoClusterHeader, unused1)};
+                                     MEMBER(GnoClusterHeader, jobCount),   MEMBER(GnoClusterHeader, state),        MEMBER(GnoClusterHeader, groups),
+                                     MEMBER(GnoClusterHeader, tiles),      MEMBER(GnoClusterHeader, levels),       MEMBER(GnoClusterHeader, volumes),
+                                     MEMBER(GnoClusterHeader, unused0)};
     for (const std::string shader : {"reset", "range", "tiles", "allocate", "traverse", "finish_size"}) {
         SCOPED_TRACE(shader);
         expectSame(Reflection("clusters/examples/" + shader + ".comp").member("gnoClusterHeader", 0), header, sizeof(GnoClusterHeader));
@@ -205,10 +242,10 @@ TEST(Layout, GridCellsPairsAndHeaderOfAForest) {
     const std::vector<Member> pair{MEMBER(GnoForestPair, caster), MEMBER(GnoForestPair, cell)};
     const std::vector<Member> few{MEMBER(GnoForestFew, cells), MEMBER(GnoForestFew, least)};
     const std::vector<Member> header{
-        MEMBER(GnoForestHeader, groupsOfPairs), MEMBER(GnoForestHeader, one0), MEMBER(GnoForestHeader, one1), MEMBER(GnoForestHeader, pairs),
-        MEMBER(GnoForestHeader, groupsOfSome),  MEMBER(GnoForestHeader, one2), MEMBER(GnoForestHeader, one3), MEMBER(GnoForestHeader, some),
-        MEMBER(GnoForestHeader, groupsOfMany),  MEMBER(GnoForestHeader, one4), MEMBER(GnoForestHeader, one5), MEMBER(GnoForestHeader, many),
-        MEMBER(GnoForestHeader, used)};
+        MEMBER(GnoForestHeader, groupsOfPairs), MEMBER(GnoForestHeader, one0),    MEMBER(GnoForestHeader, one1), MEMBER(GnoForestHeader, pairs),
+        MEMBER(GnoForestHeader, groupsOfSome),  MEMBER(GnoForestHeader, one2),    MEMBER(GnoForestHeader, one3), MEMBER(GnoForestHeader, some),
+        MEMBER(GnoForestHeader, groupsOfMany),  MEMBER(GnoForestHeader, one4),    MEMBER(GnoForestHeader, one5), MEMBER(GnoForestHeader, many),
+        MEMBER(GnoForestHeader, used),          MEMBER(GnoForestHeader, emitted), MEMBER(GnoForestHeader, state)};
     for (const std::string shader :
          {"reset.comp", "depth.comp", "sort.comp", "assign_few.comp", "assign_some.comp", "assign_many.comp", "allocate.comp", "sizes.comp",
           "set_up.comp", "build.comp", "query_stack.comp", "query_hybrid.frag", "query_stackless.comp.counters"}) {
@@ -241,7 +278,10 @@ TEST(Layout, ArraysOfALightSpaceHierarchy) {
                                      MEMBER(GnoLightBvhHeader, groupsOfTiles),
                                      MEMBER(GnoLightBvhHeader, one2),
                                      MEMBER(GnoLightBvhHeader, one3),
-                                     MEMBER(GnoLightBvhHeader, roots)};
+                                     MEMBER(GnoLightBvhHeader, roots),
+                                     MEMBER(GnoLightBvhHeader, emitted),
+                                     MEMBER(GnoLightBvhHeader, leaves),
+                                     MEMBER(GnoLightBvhHeader, state)};
     const std::vector<Member> grid{MEMBER(GnoForestGrid, across),    MEMBER(GnoForestGrid, along),      MEMBER(GnoForestGrid, stepAcross),
                                    MEMBER(GnoForestGrid, stepAlong), MEMBER(GnoForestGrid, resolution), MEMBER(GnoForestGrid, faces)};
     const std::vector<Member> box{MEMBER(GnoLightBvhBox, low), MEMBER(GnoLightBvhBox, high), MEMBER(GnoLightBvhBox, least),
@@ -270,8 +310,8 @@ TEST(Layout, ArraysOfALightSpaceHierarchy) {
 }
 
 TEST(Layout, ViewsOfAShadowMap) {
-    const std::vector<Member> header{MEMBER(GnoShadowMapHeader, viewCount), MEMBER(GnoShadowMapHeader, size), MEMBER(GnoShadowMapHeader, unused0),
-                                     MEMBER(GnoShadowMapHeader, unused1)};
+    const std::vector<Member> header{MEMBER(GnoShadowMapHeader, viewCount), MEMBER(GnoShadowMapHeader, size), MEMBER(GnoShadowMapHeader, state),
+                                     MEMBER(GnoShadowMapHeader, unused0)};
     const std::vector<Member> view{MEMBER(GnoShadowMapView, x), MEMBER(GnoShadowMapView, y), MEMBER(GnoShadowMapView, z),
                                    MEMBER(GnoShadowMapView, w), MEMBER(GnoShadowMapView, bias)};
     for (const std::string shader : {"fit.comp", "depth.vert", "query.comp", "query.frag"}) {
@@ -297,8 +337,9 @@ TEST(Layout, CastersArePackedFloats) {
 
 TEST(Layout, PushBlockOfEveryShader) {
     using host::ExamplePush;
-    const std::vector<Member> push{MEMBER(ExamplePush, light), MEMBER(ExamplePush, viewer), MEMBER(ExamplePush, size),  MEMBER(ExamplePush, count),
-                                   MEMBER(ExamplePush, seed),  MEMBER(ExamplePush, cull),   MEMBER(ExamplePush, planes)};
+    const std::vector<Member> push{MEMBER(ExamplePush, light),  MEMBER(ExamplePush, viewer), MEMBER(ExamplePush, size),
+                                   MEMBER(ExamplePush, count),  MEMBER(ExamplePush, seed),   MEMBER(ExamplePush, cull),
+                                   MEMBER(ExamplePush, planes), MEMBER(ExamplePush, number)};
     size_t found = 0;
     for (const std::string& shader : host::embeddedShaderNames()) {
         SCOPED_TRACE(shader);
@@ -314,10 +355,12 @@ TEST(Layout, PushBlockOfEveryShader) {
 TEST(Layout, LightGrid) {
     const std::vector<Member> list{MEMBER(GnoLightGridList, first), MEMBER(GnoLightGridList, end)};
     const std::vector<Member> item{MEMBER(GnoLightGridItem, depth), MEMBER(GnoLightGridItem, caster)};
-    const std::vector<Member> header{MEMBER(GnoLightGridHeader, groupsOfPairs), MEMBER(GnoLightGridHeader, one0),
-                                     MEMBER(GnoLightGridHeader, one1),          MEMBER(GnoLightGridHeader, nests),
-                                     MEMBER(GnoLightGridHeader, groupsOfLists), MEMBER(GnoLightGridHeader, one2),
-                                     MEMBER(GnoLightGridHeader, one3),          MEMBER(GnoLightGridHeader, items)};
+    const std::vector<Member> header{
+        MEMBER(GnoLightGridHeader, groupsOfPairs), MEMBER(GnoLightGridHeader, one0),          MEMBER(GnoLightGridHeader, one1),
+        MEMBER(GnoLightGridHeader, nests),         MEMBER(GnoLightGridHeader, groupsOfLists), MEMBER(GnoLightGridHeader, one2),
+        MEMBER(GnoLightGridHeader, one3),          MEMBER(GnoLightGridHeader, items),         MEMBER(GnoLightGridHeader, emitted),
+        MEMBER(GnoLightGridHeader, groups),        MEMBER(GnoLightGridHeader, finished),      MEMBER(GnoLightGridHeader, state),
+        MEMBER(GnoLightGridHeader, planes)};
     for (const std::string shader :
          {"rivals/examples/light_grid_pairs.comp", "rivals/examples/light_grid_sort.comp", "rivals/examples/light_grid_query_planes.frag"}) {
         SCOPED_TRACE(shader);

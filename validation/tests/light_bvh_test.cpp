@@ -6,13 +6,13 @@
 
 #include <algorithm>
 #include <cstring>
-#include <map>
+#include <optional>
 
 #include "glsl/forest/cells.h"
 #include "host_min/error.hpp"
 #include "host_min/techniques/light_bvh_tree.hpp"
 #include "validation/support/device_test.hpp"
-#include "validation/support/exact_reference.hpp"
+#include "validation/support/light_bvh_walk.hpp"
 #include "validation/tests/oracle_cases.hpp"
 
 namespace gno {
@@ -49,10 +49,6 @@ test::Scene sceneOf(std::vector<host::Triangle> triangles, glm::vec4 light, size
     return scene;
 }
 
-int facingOf(const host::Triangle& t, glm::vec4 light) {
-    return exact::orient3dLight(light, exact::fixed(t.a), exact::fixed(t.b), exact::fixed(t.c));
-}
-
 uint64_t number(const host::NamedNumbers& list, const std::string& name) {
     for (const auto& [key, value] : list)
         if (key == name) return value;
@@ -69,66 +65,6 @@ std::vector<T> part(const std::vector<host::DumpedBuffer>& dump, const std::stri
     }
     throw std::out_of_range(name);
 }
-
-struct Box {
-    uint32_t x0 = 65535, y0 = 65535, x1 = 0, y1 = 0;
-    float least = 3e38f;
-    [[nodiscard]] bool holds(const Box& other) const {
-        return x0 <= other.x0 && y0 <= other.y0 && x1 >= other.x1 && y1 >= other.y1 && least <= other.least;
-    }
-    [[nodiscard]] bool holds(glm::uvec2 at) const { return at.x >= x0 && at.x <= x1 && at.y >= y0 && at.y <= y1; }
-    void add(const Box& other) {
-        *this = {std::min(x0, other.x0), std::min(y0, other.y0), std::max(x1, other.x1), std::max(y1, other.y1), std::min(least, other.least)};
-    }
-};
-
-Box boxOf(const GnoLightBvhNode& node, int child) {
-    return {node.low[child] & 0xFFFF, node.low[child] >> 16, node.high[child] & 0xFFFF, node.high[child] >> 16, node.least[child]};
-}
-
-struct Walk {
-    std::map<std::pair<uint32_t, uint32_t>, Box> leaves;  ///< by face and caster
-    std::vector<GnoLightBvhNode> nodes;
-    std::vector<uint32_t> parents;
-    std::vector<int> visits;
-    std::string error;
-
-    void say(const std::string& what, uint32_t node) {
-        if (error.empty()) error = fmt::format("{}, node {}", what, node);
-    }
-    /// The union of what is below the node.
-    Box below(uint32_t face, uint32_t index, const std::vector<host::Triangle>& triangles, glm::vec4 light) {
-        Box all;
-        if (index >= nodes.size() || visits[index]++ > 0) {
-            say("a link out of range, or a node that is met twice", index);
-            return all;
-        }
-        int children = 0, inner = 0;
-        for (int c = 0; c < 4; ++c) {
-            const uint32_t link = nodes[index].link[c];
-            if (link == GNO_LIGHT_BVH_NONE) continue;
-            if (children++ != c) say("a gap among the children", index);
-            const Box box = boxOf(nodes[index], c);
-            all.add(box);
-            if ((link & GNO_LIGHT_BVH_LEAF) == 0) {
-                ++inner;
-                if (link < parents.size() && parents[link] != 4 * index + uint32_t(c)) say("a wrong parent", link);
-                const Box real = below(face, link, triangles, light);
-                if (!box.holds(real)) say("a child's bounds lack something below it", index);
-                if (!real.holds(box)) say("a child's bounds are wider than what is below it", index);
-                continue;
-            }
-            const uint32_t caster = link & GNO_LIGHT_BVH_CASTER;
-            if (caster >= triangles.size() || !leaves.emplace(std::pair(face, caster), box).second)
-                say("a leaf that is there twice", index);
-            else if (facingOf(triangles[caster], light) != ((link & GNO_LIGHT_BVH_POSITIVE) != 0 ? 1 : -1))
-                say("a leaf with a wrong facing", index);
-        }
-        if (children < 4 && inner > 0) say("an inner child where there was room for its own children", index);
-        if (children == 0) say("no children", index);
-        return all;
-    }
-};
 
 /// Face and cell of a point in double; none when it lies too near to a border to tell.
 std::optional<glm::uvec3> cellOf(const GnoForestGrid& grid, glm::vec4 light, const glm::dvec3& p) {
@@ -165,22 +101,14 @@ uint64_t expectSound(const std::vector<host::Triangle>& triangles, glm::vec4 lig
     const host::Frame frame = test::frameOf(scene);
     host::FrameInputs inputs(test::passes(), frame, scene.samples);
     inputs.setLight(light, host::Cull::none);
-    const host::LightBvhTree tree(inputs, {.pool = pool, .warmUp = false});
+    const auto tree = host::built<host::LightBvhTree>(inputs, host::LightBvhOptions{pool});
     const auto dump = tree.dump();
     const GnoForestGrid grid = part<GnoForestGrid>(dump, "grid").front();
     const auto header = part<GnoLightBvhHeader>(dump, "light_bvh_header").front();
-    Walk walk;
+    test::LightBvhWalk walk{.triangles = triangles, .light = light};
     walk.nodes = part<GnoLightBvhNode>(dump, "nodes");
     walk.parents = part<uint32_t>(dump, "parents");
-    walk.visits.assign(walk.nodes.size(), 0);
-    uint64_t nodes = 0;
-    for (uint32_t face = 0; face < 6; ++face) {
-        const uint32_t root = header.roots[face];
-        if (root == GNO_LIGHT_BVH_NONE) continue;
-        walk.below(face, root, triangles, light);
-        if (root < walk.parents.size() && walk.parents[root] != GNO_LIGHT_BVH_NONE) walk.say("a root with a parent", root);
-    }
-    for (const int visits : walk.visits) nodes += visits > 0;
+    const uint64_t nodes = walk.all(header.roots);
     EXPECT_EQ(walk.error, "");
     EXPECT_EQ(walk.leaves.size(), header.references);
     EXPECT_EQ(nodes, tree.nodes());
@@ -191,7 +119,7 @@ uint64_t expectSound(const std::vector<host::Triangle>& triangles, glm::vec4 lig
     size_t told = 0;
     for (uint32_t caster = 0; caster < triangles.size(); ++caster) {
         const host::Triangle& t = triangles[caster];
-        if (facingOf(t, light) == 0) {
+        if (test::lightBvhFacing(t, light) == 0) {
             for (uint32_t face = 0; face < 6; ++face) EXPECT_FALSE(walk.leaves.contains({face, caster})) << "edge-on caster " << caster;
             continue;
         }

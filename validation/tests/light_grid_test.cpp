@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Technique light-grid: whatever the cells and the nesting, the masks are the oracle's; its lists are complete and in order; its pools are filled
-// exactly.
+// Technique light-grid: whatever the cells and the nesting, the masks are the oracle's; its lists are complete and in order; pools that are too
+// small are enlarged, or, when they were given, nothing is answered.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <set>
 
 #include "glsl/rivals/light_grid.h"
+#include "glsl/rivals/light_grid_passes.hpp"
 #include "host_min/error.hpp"
 #include "validation/tests/made_scenes.hpp"
 
@@ -232,11 +233,52 @@ TEST(LightGrid, CountsPerSample) {
 }
 
 TEST(LightGrid, PassesAndBytes) {
-    const auto result = run(test::soup(kSeed, false, 400, 0.3, 3000), {});
+    const auto result = run(test::soup(kSeed, false, 400, 0.3, 3000), {"pool=4000"});
     for (const host::RecordPass& pass : result.passes) EXPECT_EQ(host::isBuildPass(pass.name), pass.name != "light_grid_query") << pass.name;
+    EXPECT_EQ(result.hostWaits, 0u);
     EXPECT_EQ(number(result.bytes, "planes"), 400u * 64u);
-    EXPECT_GE(number(result.bytes, "items"), 8 * number(result.counters.more, "items"));
-    EXPECT_EQ(number(result.bytes, "lists"), 8 * (6u * 64 * 64 + 64 * number(result.counters.more, "nested_cells")));
+    EXPECT_EQ(number(result.bytes, "items"), 8 * 4000u);
+    EXPECT_EQ(number(result.bytes, "pairs"), 8 * 4000u);
+    EXPECT_EQ(number(result.bytes, "lists"), 8 * (6u * 64 * 64 + 64 * (4000 / 9))) << "room for all cells that 4000 pairs can make crowded";
+}
+
+/// Pools are chosen before anything is counted; they are enlarged when they were too small, and the next frame knows.
+TEST(LightGrid, PoolsThatWereTooSmallAreEnlarged) {
+    const test::Scene scene = test::soup(kSeed, false, 300, 0.6, 1000);
+    const host::Frame frame = test::frameOf(scene);
+    host::FrameInputs inputs(test::passes(), frame, scene.samples);
+    inputs.setLight(scene.light, scene.cull);
+    host::StructureCache structures;
+    host::Technique& technique = host::techniqueByName("light-grid");
+    const auto ask = [&] {
+        structures.nextFrame();
+        return technique.run(inputs, structures, host::Settings(technique.info().settings, Strings{"cells=64", "view_cull=off", "cover=off"}),
+                             {.counters = false, .dump = true, .warmUp = false});
+    };
+    auto first = ask();
+    const LightGridPools pools = lightGridFirstPools(inputs.casterCount());
+    ASSERT_GT(number(first.counters.more, "pairs"), pools.pairs) << "the scene has to be too much";
+    ASSERT_GT(number(first.counters.more, "items"), pools.items);
+    EXPECT_GE(first.reruns, 1u);
+    EXPECT_EQ(number(first.counters.more, "crowded_cells"), 0u);
+    expectLists(first);
+    const auto next = ask();
+    EXPECT_EQ(next.reruns, 0u);
+    EXPECT_EQ(next.visibility, first.visibility);
+    first.visibility.resize(scene.samples.size());
+    EXPECT_EQ(test::compare(first, test::ask(scene)).wrong, 0u);
+}
+
+/// Where one binding has no room for all sub cells, a cell stays one list: longer, and right.
+TEST(LightGrid, RoomForSubCellsIsWhatABindingHolds) {
+    const LightCells cells{.casters = 1000, .resolution = 64, .faces = 6};
+    EXPECT_EQ(lightGridNests(cells, 9000, 0, 1u << 27), 0u);
+    EXPECT_EQ(lightGridNests(cells, 9000, 8, 1u << 27), 1000u);
+    EXPECT_EQ(lightGridNests(cells, 1u << 30, 8, 1u << 27), 24576u) << "no more than there are cells";
+    const uint64_t few = lightGridNests(cells, 1u << 30, 8, 1u << 20);
+    EXPECT_EQ(few, ((1u << 20) / 8 - 24576) / 64);
+    EXPECT_LE(8 * gnoLightGridLists(24576, uint32_t(few)), 1u << 20);
+    EXPECT_EQ(lightGridNests(cells, 1u << 30, 8, 1u << 10), 0u);
 }
 
 }  // namespace

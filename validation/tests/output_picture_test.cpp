@@ -171,12 +171,30 @@ TEST(OutputPicture, ASingleWrongPixelIsMarked) {
 }
 
 TEST(OutputPicture, MaskColours) {
-    const Raster<uint8_t> visibility(4, 1, std::vector<uint8_t>{0, 1, 2, 3});
+    const Raster<uint8_t> visibility(6, 1, std::vector<uint8_t>{0, 1, 2, 3, 4, 5});
     const Picture picture = maskPicture(visibility);
     EXPECT_EQ(picture.at(0, 0), glm::u8vec3(0));
     EXPECT_EQ(picture.at(1, 0), glm::u8vec3(255));
     EXPECT_EQ(picture.at(2, 0).x, picture.at(2, 0).z);
     EXPECT_GT(picture.at(3, 0).z, picture.at(3, 0).x);
+    EXPECT_EQ(picture.at(4, 0), kUnknownColor);
+    EXPECT_EQ(picture.at(5, 0), glm::u8vec3(255, 0, 255)) << "no visibility";
+    for (uint32_t a = 0; a < 6; ++a)
+        for (uint32_t b = 0; b < a; ++b) EXPECT_NE(picture.at(a, 0), picture.at(b, 0)) << a << " " << b;
+}
+
+// No answer is a wrong one, whatever was wanted, and neither a leak nor false dark; every picture shows it in the same colour.
+TEST(OutputPicture, UnknownSamplesAreMarked) {
+    const Raster<uint8_t> want(4, 1, std::vector<uint8_t>{0, 1, 2, 3}), got(4, 1, std::vector<uint8_t>{4, 4, 2, 3});
+    const MaskDifference difference = compareMasks(got, want);
+    EXPECT_EQ(difference.wrong, 2u);
+    EXPECT_EQ(difference.leaks + difference.falseDark, 0u);
+    EXPECT_EQ(countOf(differencePicture(got, want), kUnknownColor), 2u);
+    EXPECT_EQ(countOf(differencePicture(want, want), kUnknownColor), 0u);
+    const Raster<glm::vec3> position(4, 1), normal(4, 1, glm::vec3(0, 1, 0)), color(4, 1, glm::vec3(1));
+    const Picture shaded = shadePicture({position, normal, color, got, {0, 1, 0, 0}});
+    EXPECT_EQ(countOf(shaded, kUnknownColor), 2u);
+    EXPECT_EQ(shaded.at(0, 0), kUnknownColor);
 }
 
 TEST(OutputPicture, ShadowsAreDarkerAndFullHdIsQuick) {

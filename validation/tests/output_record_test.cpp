@@ -31,6 +31,7 @@ Record sample(const std::string& technique, double build, double query) {
     record.casters = 900;
     record.samples = 2000;
     record.inShadow = 500;
+    record.unknown = 7;
     record.passes = {{"top_build", build}, {"top_query", query}};
     record.bytes = {{"tree", 16777216}};
     record.counters = {123000, 9, 1, 4, 2, 3, {}};
@@ -56,12 +57,12 @@ std::string cell(const std::vector<std::vector<std::string>>& cells, std::size_t
 
 TEST(OutputRecord, HasTheKeysOfTheContractInTheirOrder) {
     Record record = sample("d-hybrid", 12.3, 45.6);
-    Names top = {"schema",    "scene",   "frame",   "light",     "technique", "precision", "settings", "device",   "size",
-                 "triangles", "casters", "samples", "in_shadow", "passes",    "total_ms",  "bytes",    "counters", "effects"};
+    Names top = {"schema",  "scene",     "frame",   "light",  "technique", "precision", "settings", "device",     "size",   "triangles", "casters",
+                 "samples", "in_shadow", "unknown", "passes", "total_ms",  "bytes",     "counters", "host_waits", "reruns", "effects"};
     EXPECT_EQ(keys(ordered_json::parse(toJsonLine(record))), top);
     record.check = RecordCheck{2000, 3, 2, 1, 0, 5};
     record.floorMs = 7.5;
-    top.insert(top.begin() + 15, "floor_ms");
+    top.insert(top.begin() + 16, "floor_ms");
     top.insert(top.end() - 1, "check");
     const std::string line = toJsonLine(record);
     EXPECT_EQ(line.find('\n'), std::string::npos);
@@ -71,9 +72,10 @@ TEST(OutputRecord, HasTheKeysOfTheContractInTheirOrder) {
     EXPECT_EQ(keys(json["passes"][1]), (Names{"name", "ms"}));
     EXPECT_EQ(keys(json["counters"]), (Names{"visited_nodes", "max_stack", "stack_overflows", "exact_calls", "dropped", "test_and_set"}));
     EXPECT_EQ(keys(json["check"]), (Names{"checked", "wrong", "leaks", "false_dark", "self", "witness"}));
-    EXPECT_EQ(json["schema"], 1);
+    EXPECT_EQ(json["schema"], 2);
     EXPECT_EQ(json["size"], (ordered_json{512, 256}));
     EXPECT_EQ(json["in_shadow"], 500);
+    EXPECT_EQ(json["unknown"], 7);
     EXPECT_EQ(json["settings"]["stack"], 12);
     EXPECT_EQ(json["passes"][0]["name"], "top_build");
     EXPECT_DOUBLE_EQ(json["total_ms"].get<double>(), 57.9);
@@ -131,7 +133,11 @@ TEST(OutputTable, Ratios) {
     records[1].samples = 0;
     auto cells = tableCells(records);
     ASSERT_EQ(cells.size(), 3u);
-    EXPECT_EQ(cells[0].size(), 12u);
+    EXPECT_EQ(cells[0].size(), 13u);
+    EXPECT_EQ(cell(cells, 1, "unknown"), "7");
+    for (Record& record : records) record.unknown = 0;
+    cells = tableCells(records);
+    EXPECT_EQ(cells[0].size(), 12u) << "a column that has nothing to say is left out";
     EXPECT_EQ(cell(cells, 1, "in shadow %"), "25.0");
     EXPECT_EQ(cell(cells, 1, "visited/sample"), "61.5");
     EXPECT_EQ(cell(cells, 1, "max stack"), "9");

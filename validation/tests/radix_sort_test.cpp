@@ -46,8 +46,9 @@ Pairs sortedByDevice(const std::vector<uint32_t>& keys) {
         const auto& to = list[1 - round % 2];
         const std::vector<host::Binding> all{{"gnoLightBvhHeader", &header}, {"gnoSortCountWords", &counts}, {"gnoLightBvhKeys", &from[0]},
                                              {"gnoLightBvhOrder", &from[1]}, {"gnoSortedKeys", &to[0]},      {"gnoSortedOrder", &to[1]}};
-        const uint32_t shift = 4 * round;
-        const auto push = std::as_bytes(std::span(&shift, 1));
+        host::ExamplePush frame{};
+        frame.number = 4 * round;
+        const auto push = std::as_bytes(std::span(&frame, 1));
         for (const char* step : {"count", "prefix", "scatter"}) {
             recording.barrier();
             const bool one = std::string(step) == "prefix";

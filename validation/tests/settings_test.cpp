@@ -279,7 +279,10 @@ TEST(TechniqueChoice, KeysOfTheChosenOnesOnly) {
 class PublishedOnly final : public Technique {
 public:
     const TechniqueInfo& info() const override { return info_; }
-    TechniqueResult run(const FrameInputs&, StructureCache&, const Settings&, const RunOptions&) override { return {}; }
+    std::string structureKey(const FrameInputs&, const Settings&, const RunOptions&) const override { return "nothing"; }
+    std::unique_ptr<Structure> makeStructure(const FrameInputs&, const Settings&, const RunOptions&) const override { return nullptr; }
+    Query query(const Structure&, const FrameInputs&, const Settings&, const RunOptions&) const override { return {}; }
+    void read(const Structure&, const FrameInputs&, const Settings&, const RunOptions&, TechniqueResult&) const override {}
 
 private:
     TechniqueInfo info_{"published-only", "none", {Precision::published}, {}, {}, {}};

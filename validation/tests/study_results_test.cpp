@@ -60,12 +60,12 @@ TEST_F(Results, ABrokenLastLineIsMovedAsideAndNothingIsGluedToIt) {
     {
         ResultsFile results(file);
         ASSERT_EQ(results.notes().size(), 1u);
-        EXPECT_NE(results.notes()[0].find("the last line (3) is broken"), std::string::npos) << results.notes()[0];
+        EXPECT_NE(results.notes()[0].find("line 3: broken off"), std::string::npos) << results.notes()[0];
         EXPECT_FALSE(results.has("c"));
         results.append(std::vector{row("c")});
     }
     EXPECT_EQ(jobs(file), (std::vector<std::string>{"a", "b", "c"}));
-    EXPECT_TRUE(readResults(file).notes.empty());
+    EXPECT_TRUE(readResults(file).problems.empty());
     EXPECT_EQ(text(folder.path() / "results.jsonl.broken"), half + "\n");
 }
 
@@ -82,7 +82,7 @@ TEST_F(Results, ABrokenLineInTheMiddleStaysAndIsReported) {
     {
         ResultsFile results(file);
         ASSERT_EQ(results.notes().size(), 1u);
-        EXPECT_NE(results.notes()[0].find("line 2 is no row"), std::string::npos);
+        EXPECT_NE(results.notes()[0].find("line 2: not JSON"), std::string::npos);
         EXPECT_TRUE(results.has("a") && results.has("b"));
     }
     EXPECT_EQ(text(file), before);

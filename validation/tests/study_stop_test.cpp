@@ -60,8 +60,8 @@ TEST_F(Stopping, AKillInsideALineGoesOn) {
     const Outcome again = sweep(kSweep);
     EXPECT_EQ(again.code, 0);
     EXPECT_EQ(linesOf(again.err).size(), 1u) << again.err;
-    EXPECT_NE(again.err.find("the last line (12) is broken; moved to"), std::string::npos) << again.err;
-    EXPECT_TRUE(study::readResults(results).notes.empty());
+    EXPECT_NE(again.err.find("line 12: broken off in the middle, as an interrupt leaves it; moved to"), std::string::npos) << again.err;
+    EXPECT_TRUE(study::readResults(results).problems.empty());
     expectComplete();
 }
 
@@ -73,7 +73,7 @@ TEST_F(Stopping, CtrlCLeavesWholeRows) {
     EXPECT_EQ(outcome.code, 1);
     EXPECT_EQ(linesOf(outcome.err).size(), 1u) << outcome.err;
     EXPECT_NE(outcome.err.find("interrupted"), std::string::npos);
-    EXPECT_TRUE(study::readResults(results).notes.empty());
+    EXPECT_TRUE(study::readResults(results).problems.empty());
     EXPECT_EQ(rows().size() % 6, 0u) << "a group's rows come together";
     EXPECT_EQ(sweep(kSweep).code, 0);
     expectComplete();

@@ -1,5 +1,7 @@
 gnomon_add_device_test(top_far_samples_test)
 gnomon_add_device_test(top_build_test)
+gnomon_add_device_test(structure_test RASTERISES)
+target_compile_definitions(structure_test PRIVATE GNOMON_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 gnomon_add_device_test(top_query_test)
 gnomon_add_device_test(top_techniques_test)
 add_library(gnomon_image_report STATIC ${PROJECT_SOURCE_DIR}/validation/support/image_report.cpp)

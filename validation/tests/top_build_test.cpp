@@ -76,7 +76,7 @@ size_t expectSound(const Casters& casters, glm::vec4 light, Precision precision,
     const std::array samples{host::OracleSample{{0, 0, 0}, host::kNoCaster}};
     host::FrameInputs inputs(test::passes(), frame, samples);
     inputs.setLight(light, casters.cull);
-    const host::TopTree tree(inputs, {.precision = precision, .seed = seed, .groupSize = group, .counters = true});
+    const auto tree = host::built<host::TopTree>(inputs, TopOptions{.precision = uint32_t(precision), .seed = seed, .groupSize = group});
 
     const std::vector<uint8_t> kept = castersByDefinition(casters, light);
     const uint64_t casting = uint64_t(std::count(kept.begin(), kept.end(), 1));
@@ -207,7 +207,7 @@ TEST(TopBuild, ChecksSeeDamage) {
     host::FrameInputs inputs(test::passes(), frame, samples);
     inputs.setLight(kPoint, host::Cull::none);
     const std::vector<uint8_t> kept = castersByDefinition(casters, kPoint);
-    const test::TopBuffers sound = test::download(host::TopTree(inputs, {}));
+    const test::TopBuffers sound = test::download(host::built<host::TopTree>(inputs, TopOptions{}));
     const test::TopWalk walked = walk(sound, kept);
     ASSERT_EQ(walked.error, "");
     ASSERT_EQ(checkBounds(sound, walked, casters.triangles, kPoint, true, 0), "");

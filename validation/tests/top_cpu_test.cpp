@@ -51,7 +51,8 @@ void expectSameTree(const host::cases::HardCase& c, const cpu::TopTree& tree, Pr
     frame.closed.assign(c.triangles.size(), 0);
     host::FrameInputs inputs(test::passes(), frame, c.samples);
     inputs.setLight(c.light, host::Cull::none);
-    const host::TopTree device(inputs, {.precision = precision, .seed = kOrder, .groupSize = 1, .counters = false});
+    const auto device = host::built<host::TopTree>(inputs, TopOptions{.precision = uint32_t(precision), .seed = kOrder, .groupSize = 1},
+                                                   {.warmUp = false, .counters = false});
     const test::TopBuffers buffers = test::download(device);
     EXPECT_EQ(firstDifference("planes", buffers.planes, tree.planes()), "");
     EXPECT_EQ(firstDifference("links", buffers.links, tree.links()), "");

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <bit>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,16 +68,20 @@ public:
         const uint32_t half = (std::bit_cast<uint32_t>(wedge) + 0xFFFFu) >> 16;  // one bound per side, but for `published`
         links_[node].wedge = precision_ == host::Precision::published ? std::bit_cast<uint32_t>(wedge) : half << 16 | half;
     }
+    void child(uint32_t node, uint32_t any) { links_[node].positiveChild = any; }  ///< which need not be one
     void leastDepth(uint32_t volume, float depth) { links_[4 * volume].aux = std::bit_cast<uint32_t>(depth); }
 
-    [[nodiscard]] HandAnswer ask(const std::vector<host::OracleSample>& samples, const HandQuery& query) const {
+    /// `shader`: another one of the same bindings and constants.
+    [[nodiscard]] HandAnswer ask(const std::vector<host::OracleSample>& samples, const HandQuery& query,
+                                 const std::vector<uint32_t>* shader = nullptr) const {
         host::Frame frame;
         frame.triangles = casters_;
         frame.closed.assign(casters_.size(), 0);
         host::FrameInputs inputs(passes(), frame, samples);
         inputs.setLight(light_, host::Cull::none);
         const host::Device& device = passes().device();
-        const GnoTopHeader header{casters_.empty() ? GNO_TOP_NONE : 0u, uint32_t(casters_.size()), 0, 0};
+        const uint32_t count = uint32_t(casters_.size());
+        const GnoTopHeader header{casters_.empty() ? GNO_TOP_NONE : 0u, count, gnoState(uint32_t(precision_)), count};
         host::Buffer planes(device, topPlaneBytes(casters_.size())), links(device, topLinkBytes(casters_.size())), root(device, sizeof header);
         planes.upload(std::span(planes_));
         links.upload(std::span(links_));
@@ -85,8 +90,8 @@ public:
         host::Image counts(device, inputs.width(), inputs.height(), vk::Format::eR32G32B32A32Uint);
         visibility.clear(vk::ClearColorValue(77u, 77u, 77u, 77u));
         counts.clear(vk::ClearColorValue(77u, 77u, 77u, 77u));
-        host::Specialization constants{{0, uint32_t(precision_)}, {2, query.name == "psv" ? 0u : 1u}};
-        if (query.stack > 0) constants[1] = query.stack;
+        host::Specialization constants{{GNO_ID_PRECISION, uint32_t(precision_)}, {GNO_ID_DEPTH_TEST, query.name == "psv" ? 0u : 1u}};
+        if (query.stack > 0) constants[GNO_ID_STACK_SIZE] = query.stack;
         const std::array resources{host::Binding{"gnoCasters", &inputs.casters()},
                                    host::Binding{"gnoTopPlanes", &planes},
                                    host::Binding{"gnoTopLinks", &links},
@@ -97,8 +102,9 @@ public:
         const host::ExamplePush push = inputs.push();
         host::Recording recording(device);
         recording.barrier();
-        passes()
-            .compute("top/examples/" + query.shader() + ".comp.counters", constants)
+        const std::optional<host::ComputePass> own =
+            shader ? std::optional<host::ComputePass>(std::in_place, device, std::span(*shader), constants) : std::nullopt;
+        (own ? *own : passes().compute("top/examples/" + query.shader() + ".comp.counters", constants))
             .dispatch(recording, resources, std::as_bytes(std::span(&push, 1)), (inputs.width() + 7) / 8, (inputs.height() + 7) / 8);
         recording.submit();
         HandAnswer answer;

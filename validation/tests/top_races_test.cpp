@@ -59,7 +59,7 @@ uint64_t hashOfOneBuild() {
     const std::array sample{host::OracleSample{{0, 0, 0}, host::kNoCaster}};
     host::FrameInputs inputs(test::passes(), frame(), sample);
     inputs.setLight(kLight, host::Cull::none);
-    return hash(test::download(host::TopTree(inputs, {.precision = Precision::certified, .seed = 11, .groupSize = 64, .counters = false})));
+    return hash(test::download(host::built<host::TopTree>(inputs, TopOptions{.seed = 11}, {.warmUp = false, .counters = false})));
 }
 
 TEST(TopRaces, TwoHundredBuilds) {

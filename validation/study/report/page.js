@@ -79,7 +79,10 @@ for (const compare of document.querySelectorAll(".compare")) {
   for (const end of ["pointerup", "pointercancel"]) view.addEventListener(end, () => { drag = null; });
   view.addEventListener("keydown", (event) => {
     const step = view.clientWidth / 10;
-    const keys = { "+": actions.in, "=": actions.in, "-": actions.out, "0": actions.reset, ArrowLeft: () => { x += step; }, ArrowRight: () => { x -= step; }, ArrowUp: () => { y += step; }, ArrowDown: () => { y -= step; } };
+    const keys = {
+      "+": actions.in, "=": actions.in, "-": actions.out, "0": actions.reset,
+      ArrowLeft: () => { x += step; }, ArrowRight: () => { x -= step; }, ArrowUp: () => { y += step; }, ArrowDown: () => { y -= step; },
+    };
     if (keys[event.key] === undefined || event.ctrlKey) return;
     event.preventDefault();
     keys[event.key]();

@@ -63,7 +63,7 @@ std::vector<NamedFigure> figuresOf(const Study& study) {
 }  // namespace
 
 void report(const ReportOptions& options) {
-    Study study = arrange(readResults(options.results));
+    Study study = arrange(loadResults(options.results));
     host::makeFolder(options.out);
     { const host::AtomicFile probe(options.out / "index.html"); }  // before the work and not after it
     const viz::Display display;

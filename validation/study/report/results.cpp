@@ -3,21 +3,20 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
+#include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 
 #include "host_min/error.hpp"
 #include "host_min/output/record.hpp"
 #include "validation/study/report/statistics.hpp"
+#include "validation/study/results_file.hpp"
 
 namespace gno::report {
 namespace {
 
 using nlohmann::ordered_json;
 
-/// A line that is JSON but no row; the text says what is the matter.
+/// A row that the report cannot use; the text says what is the matter.
 struct NoRow : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -68,8 +67,6 @@ void readMeasurements(const ordered_json& json, Row& row) {
 }
 
 Row readRow(const ordered_json& json) {
-    if (!json.is_object() || json.value("kind", "") != "gnomon-study") throw NoRow("not a row of gnomon-study");
-    if (json.value("schema", 0) != 1) throw NoRow("its schema is not 1: a newer gnomon-study wrote it");
     Row row;
     row.job = json.at("job");
     row.group = json.at("group");
@@ -125,35 +122,27 @@ std::vector<double> Row::queryMs() const {
     return sums;
 }
 
-Results readResults(const std::filesystem::path& file) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(file, ignored)) throw host::InputError(fmt::format("'{}' is a folder: name a results file", file.string()));
-    std::ifstream stream(file);
-    if (!stream) throw host::InputError(fmt::format("cannot read '{}': {}", file.string(), std::strerror(errno)));
+Results loadResults(const std::filesystem::path& file) {
+    study::ReadResults read = study::readResults(file);
     Results results;
     results.file = file;
     std::map<std::string, size_t> byJob;
-    std::string line;
-    for (size_t number = 1; std::getline(stream, line); ++number) {
-        if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-        const bool isLast = stream.peek() == std::ifstream::traits_type::eof();
+    for (size_t i = 0; i < read.rows.size(); ++i) {
         try {
-            Row row = readRow(ordered_json::parse(line));
-            row.line = number;
+            Row row = readRow(read.rows[i]);
+            row.line = read.lines[i];
             const auto [place, isNew] = byJob.try_emplace(row.job, results.rows.size());
             if (isNew)
                 results.rows.push_back(std::move(row));
             else if (row.isMeasured() || !results.rows[place->second].isMeasured())
                 results.rows[place->second] = std::move(row);
-        } catch (const ordered_json::parse_error&) {
-            results.problems.push_back(
-                fmt::format("line {}: {}; left out", number, isLast ? "broken off in the middle, as an interrupt leaves it" : "not JSON"));
         } catch (const std::exception& error) {  // a key that is missing or of another type, or NoRow
             const std::string text = error.what();
-            results.problems.push_back(
-                fmt::format("line {}: {}; left out", number, text.substr(text.find("] ") == std::string::npos ? 0 : text.find("] ") + 2)));
+            read.problems.push_back({read.lines[i], text.substr(text.find("] ") == std::string::npos ? 0 : text.find("] ") + 2)});
         }
     }
+    std::stable_sort(read.problems.begin(), read.problems.end(), [](const auto& a, const auto& b) { return a.line < b.line; });
+    for (const study::Problem& problem : read.problems) results.problems.push_back(study::textOf(problem) + "; left out");
     if (!results.rows.empty()) return results;
     if (results.problems.empty()) throw host::InputError(fmt::format("'{}' is empty: run a sweep first", file.string()));
     throw host::InputError(fmt::format("'{}' holds no row of a study ({})", file.string(), results.problems.front()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The results file of a study (JSON Lines, one measured variant a line), read for the report. Format: validation/README.md "The study".
+// The rows of a study, understood for the report: results_file.hpp reads them. Format: validation/README.md "The study".
 #pragma once
 #include <array>
 #include <cstdint>
@@ -56,6 +56,6 @@ struct Results {
 };
 
 /// Throws InputError: no such file, not readable, or no row in it.
-Results readResults(const std::filesystem::path& file);
+Results loadResults(const std::filesystem::path& file);
 
 }  // namespace gno::report

@@ -68,7 +68,8 @@ class BadInput(unittest.TestCase):
         results, lines = self.few()
         good = json.loads(lines[0])
         without = {key: value for key, value in good.items() if key != "total_ms"} | {"job": "a"}
-        strange = [json.dumps(without), json.dumps(good | {"job": "b", "schema": 2}), json.dumps(good | {"job": "c", "technique": 3}), "[1", json.dumps(good | {"job": "d", "total_ms": [-1.0]})]
+        strange = [json.dumps(without), json.dumps(good | {"job": "b", "schema": 2}), json.dumps(good | {"job": "c", "technique": 3}), "[1",
+                   json.dumps(good | {"job": "d", "total_ms": [-1.0]})]
         results.write_text("\n".join(strange) + "\n" + "".join(lines))
         done = self.report(results)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -100,7 +101,8 @@ class BadInput(unittest.TestCase):
 
     def test_full_disk(self):
         results, lines = self.few()
-        done = self.report(results, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (40000, 40000)), env=os.environ | {"LP_NUM_THREADS": "1"})
+        done = self.report(results, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (40000, 40000)),
+                           env=os.environ | {"LP_NUM_THREADS": "1"})
         self.refused(done, 1, "cannot write")
 
     def test_no_display(self):

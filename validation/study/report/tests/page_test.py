@@ -42,8 +42,8 @@ def browser():
 
 
 def column(driver, table, index):
-    return driver.execute_script("return [...document.querySelectorAll(`#${arguments[0]} tbody tr:not([hidden])`)].map((row) => [row.cells[arguments[1]].dataset.v, row.cells[arguments[1]].textContent])",
-                                 table, index)
+    return driver.execute_script("""return [...document.querySelectorAll(`#${arguments[0]} tbody tr:not([hidden])`)]
+                                    .map((row) => [row.cells[arguments[1]].dataset.v, row.cells[arguments[1]].textContent])""", table, index)
 
 
 def check_sort(driver, failures):
@@ -133,7 +133,8 @@ def check(driver, page, screenshots=None):
     driver.set_window_size(1280, 900)
     driver.get(page.as_uri())
     try:
-        broken = driver.execute_script("return Promise.all([...document.images].map((image) => image.decode().then(() => 0, () => 1))).then((all) => all.reduce((a, b) => a + b, 0))")
+        broken = driver.execute_script("""return Promise.all([...document.images].map((image) => image.decode().then(() => 0, () => 1)))
+                                          .then((all) => all.reduce((a, b) => a + b, 0))""")
         if broken or len(driver.find_elements(By.CSS_SELECTOR, "img.chart")) < 10:
             failures.append("pictures are broken or missing")
         check_sort(driver, failures)

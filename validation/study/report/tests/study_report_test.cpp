@@ -98,17 +98,17 @@ public:
     Rows& add(const std::string& technique, const std::string& precision, std::vector<double> ms, uint64_t wrong, uint32_t frame = 0) {
         const std::string list = fmt::format("[{}]", fmt::join(ms, ","));
         text_ +=
-            fmt::format(
-                R"({{"schema":1,"kind":"gnomon-study","job":"{0}|{1}|{4}","group":"g{4}","name":"room","frame":{4},"light_kind":"point","technique":"{0}","precision":"{1}",)"
-                R"("size":[8,8],"samples":1000,"floor_ms":[1,1,1],"total_ms":{2},"passes":[{{"name":"top_build","ms":{2}}}],)"
-                R"("check":{{"checked":1000,"wrong":{3},"leaks":0,"false_dark":{3}}}}})",
-                technique, precision, list, wrong, frame) +
+            fmt::format(R"({{"schema":1,"kind":"gnomon-study","job":"{0}|{1}|{4}","group":"g{4}","name":"room","frame":{4},"light_kind":"point",)"
+                        R"("technique":"{0}","precision":"{1}",)"
+                        R"("size":[8,8],"samples":1000,"floor_ms":[1,1,1],"total_ms":{2},"passes":[{{"name":"top_build","ms":{2}}}],)"
+                        R"("check":{{"checked":1000,"wrong":{3},"leaks":0,"false_dark":{3}}}}})",
+                        technique, precision, list, wrong, frame) +
             "\n";
         return *this;
     }
     [[nodiscard]] Study study() const {
         std::ofstream(folder_ / "rows.jsonl") << text_;
-        return arrange(readResults(folder_ / "rows.jsonl"));
+        return arrange(loadResults(folder_ / "rows.jsonl"));
     }
 
 private:

@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: MIT
+// The lists of glsl/*/passes.hpp against the compiled shaders: arrays, numbers, constants, what is written, what indirect dispatches read, barriers
+// that are there at all. One row a list; the second half spoils a good row and expects the fault to be found.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "glsl/core/passes.hpp"
+#include "glsl/core/radix_sort.h"
+#include "glsl/rivals/light_bvh.h"
+#include "glsl/rivals/light_bvh_passes.hpp"
+#include "glsl/rivals/ray_query_passes.hpp"
+#include "glsl/shadow_map/passes.hpp"
+#include "glsl/shadow_map/view.h"
+#include "glsl/top/node.h"
+#include "glsl/top/passes.hpp"
+#include "host_min/vulkan/shader.hpp"
+#include "validation/support/shader_access.hpp"
+
+namespace gno {
+namespace {
+
+/// What a technique's host walks in a frame.
+struct Row {
+    std::string name;
+    ArrayList arrays;
+    PassList build;
+    std::vector<PassList> queries;    ///< each may follow the build
+    std::vector<std::string> more{};  ///< images and acceleration structures of its own
+};
+
+std::vector<Row> rows() {
+    constexpr uint32_t casters = 1000, width = 100, height = 30;
+    std::vector<Row> rows;
+    PassList core = casterStatePasses(casters);
+    for (const Pass& pass : viewSamplePasses(width, height)) core.push_back(pass);
+    rows.push_back({"core", {}, core, {}});
+
+    Row& top = rows.emplace_back(Row{"top", topArrays(casters), topBuildPasses(casters, {}), {}});
+    for (const TopQuery query : {TopQuery::stack, TopQuery::stackless, TopQuery::hybrid})
+        for (const bool fragment : {false, true}) top.queries.push_back(topQueryPasses(width, height, {.query = query, .fragment = fragment}));
+
+    Row& lightBvh = rows.emplace_back(Row{"light_bvh", lightBvhArrays(casters, 3000), lightBvhBuildPasses(casters, 3000), {}});
+    for (const bool stackless : {false, true})
+        for (const bool fragment : {false, true})
+            lightBvh.queries.push_back(lightBvhQueryPasses(width, height, {.stackless = stackless, .fragment = fragment}));
+
+    PassList map = shadowMapFitPasses(width, height);
+    for (const Pass& pass : shadowMapBuildPasses(casters, kShadowMapMostViews, {})) map.push_back(pass);
+    rows.push_back({"shadow_map",
+                    shadowMapArrays(kShadowMapMostViews),
+                    map,
+                    {shadowMapQueryPasses(width, height, false), shadowMapQueryPasses(width, height, true)},
+                    {"gnoShadowMap"}});
+    rows.push_back({"ray_query",
+                    rayQueryArrays(casters),
+                    rayQueryBuildPasses(casters),
+                    {rayQueryPasses(width, height, false), rayQueryPasses(width, height, true)},
+                    {"gnoRayStructure"}});
+    return rows;
+}
+
+/// What a frame brings, besides casterArrays: images, and the instrumented passes' own.
+const std::set<std::string> kFrame{"gnoSamples", "gnoVisibility", "gnoCounts", "gnoTotals", "gnoPositions", "gnoPrimitives"};
+const std::set<std::string> kCounting{"gnoCounts", "gnoTotals"};
+
+class Checker {
+public:
+    explicit Checker(const Row& row) : row_(row), frame_(casterArrays(1000)) {}
+
+    std::vector<std::string> faults() {
+        checkArrays();
+        walk(row_.build, true);
+        const auto afterBuild = state_;
+        for (const PassList& query : row_.queries) {
+            state_ = afterBuild;
+            walk(query, false);
+        }
+        for (const Array& array : row_.arrays) {
+            if (!used_.contains(std::string(array.name))) fault("{}: no pass uses it", array.name);
+            const bool isAsked = asked_.contains(std::string(array.name));
+            if (!row_.queries.empty() && isAsked != (array.kept == Kept::forQuery))
+                fault("{}: kept {}", array.name, isAsked ? "too short" : "too long");
+        }
+        return faults_;
+    }
+
+private:
+    template <class... T>
+    void fault(fmt::format_string<T...> text, T&&... values) {
+        faults_.push_back(row_.name + ": " + fmt::format(text, std::forward<T>(values)...));
+    }
+
+    void checkArrays() {
+        std::set<std::string_view> names;
+        for (const Array& array : row_.arrays) {
+            if (!names.insert(array.name).second) fault("{}: twice", array.name);
+            if (array.bytes == 0) fault("{}: no bytes", array.name);
+            if (array.element.empty()) fault("{}: nobody knows what lies in it", array.name);
+        }
+    }
+
+    [[nodiscard]] const Array* array(std::string_view name) const {
+        for (const ArrayList* list : {&row_.arrays, &frame_})
+            for (const Array& array : *list)
+                if (array.name == name) return &array;
+        return nullptr;
+    }
+    [[nodiscard]] bool isOther(const std::string& name) const {
+        return kFrame.contains(name) || std::find(row_.more.begin(), row_.more.end(), name) != row_.more.end();
+    }
+
+    void walk(const PassList& passes, bool isBuild) {
+        for (size_t i = 0; i < passes.size(); ++i) {
+            const Pass& pass = passes[i];
+            if (i == 0 && pass.before == kBeforeNothing) fault("{}: the first pass waits for nothing", pass.shader);
+            if (pass.part.empty()) fault("{}: no part", pass.shader);
+            if (pass.before != kBeforeNothing) state_.unseen.clear();
+            if (pass.before & kBeforeIndirect) {
+                if ((pass.before & kBeforeShaders) == 0) fault("{}: kBeforeIndirect without kBeforeShaders", pass.shader);
+                state_.unreadable.clear();
+            }
+            if (pass.kind == PassKind::command) {
+                for (const std::string_view name : pass.writes) state_.unseen.insert(std::string(name));
+                for (const Array& array : row_.arrays)
+                    if (array.usage & kUsageRayInput) used_.insert(std::string(array.name));
+                continue;
+            }
+            checkGroups(pass);
+            checkShader(pass, std::string(pass.shader), isBuild);
+        }
+    }
+
+    void checkGroups(const Pass& pass) {
+        if (pass.indirect.empty()) {
+            const uint32_t most = pass.kind == PassKind::compute ? 65535 : 0xFFFFFFFFu;
+            for (const uint32_t groups : pass.groups)
+                if (groups == 0 || groups > most) fault("{}: {} groups", pass.shader, groups);
+            return;
+        }
+        const Array* counts = array(pass.indirect);
+        if (!counts) return fault("{}: no array {}", pass.shader, pass.indirect);
+        used_.insert(std::string(pass.indirect));
+        if ((counts->usage & kUsageIndirect) == 0) fault("{}: {} is not for indirect dispatches", pass.shader, pass.indirect);
+        if (pass.indirectOffset % 4 != 0 || pass.indirectOffset + 12 > counts->bytes) fault("{}: offset {}", pass.shader, pass.indirectOffset);
+        if (state_.unreadable.contains(std::string(pass.indirect))) fault("{}: its group counts wait for kBeforeIndirect", pass.shader);
+    }
+
+    void checkShader(const Pass& pass, const std::string& shader, bool isBuild) {
+        std::span<const uint32_t> spirv, counting;
+        try {
+            spirv = host::embeddedShader(shader);
+            counting = host::embeddedShader(shader + ".counters");
+        } catch (const std::logic_error&) {
+            return fault("{}: no such shader", shader);
+        }
+        checkConstants(pass, spirv);
+        const auto bindings = test::accessesOf(spirv);
+        std::set<std::string> written, stored;
+        std::map<std::string, std::string> names;  // in the shader -> array
+        for (const auto& [name, access] : bindings) names[name] = name;
+        for (const Renamed& other : pass.renamed) {
+            if (!bindings.contains(std::string(other.inShader))) fault("{}: renames {}, which it does not bind", shader, other.inShader);
+            names[std::string(other.inShader)] = std::string(other.array);
+        }
+        for (const auto& [name, access] : bindings) {
+            checkBinding(pass, name, names[name], access);
+            if (access.writes()) stored.insert(name);
+        }
+        for (const std::string_view name : pass.writes) written.insert(std::string(name));
+        // what a graphics pass draws is no binding of its shader
+        if (pass.kind == PassKind::fullscreen && written.erase("gnoVisibility") == 0)
+            fault("{}: it does not say that it draws gnoVisibility", shader);
+        if (pass.kind == PassKind::depth && written.empty()) return fault("{}: it does not say what it draws", shader);
+        if (pass.kind == PassKind::depth) written.erase(written.begin());
+        if (written != stored) fault("{}: says that it writes {}, and writes {}", shader, written, stored);
+        for (const auto& [name, access] : test::accessesOf(counting)) {
+            if (kCounting.contains(name)) continue;
+            if (!bindings.contains(name)) fault("{}: binds {} when it counts", shader, name);
+            if (access.writes() && !stored.contains(name)) fault("{}: writes {} when it counts", shader, name);
+        }
+        for (const auto& [name, access] : bindings) {
+            if (!access.reads && !access.writes()) continue;
+            const std::string& to = names[name];
+            (isBuild ? used_ : asked_).insert(to);
+            if (!isBuild) used_.insert(to);
+            const Array* const known = array(to);
+            const bool isNew = state_.begun.insert(to).second;
+            if (isNew && known && known->first == First::anything && row_.name != "core" && isOwn(to) && !access.stores)
+                fault("{}: reads {} before anything is in it", shader, to);
+            if (state_.unseen.contains(to)) fault("{}: {} was written and no barrier stands between", shader, to);
+        }
+        for (const auto& [name, access] : bindings)
+            if (access.writes()) {
+                state_.unseen.insert(names[name]);
+                state_.unreadable.insert(names[name]);
+            }
+    }
+
+    [[nodiscard]] bool isOwn(std::string_view name) const {
+        return std::any_of(row_.arrays.begin(), row_.arrays.end(), [&](const Array& array) { return array.name == name; });
+    }
+
+    void checkBinding(const Pass& pass, const std::string& name, const std::string& to, const test::Access& access) {
+        const Array* const known = array(to);
+        if (!known) {
+            if (!isOther(to)) fault("{}: nobody has {}", pass.shader, to);
+        } else {
+            if (name == to && (known->set != access.set || known->binding != access.binding))
+                fault("{}: {} is {}.{}, the list says {}.{}", pass.shader, name, access.set, access.binding, known->set, known->binding);
+            if (access.isStorageBuffer && (known->usage & kUsageStorage) == 0) fault("{}: {} is no storage buffer", pass.shader, to);
+            if (access.isUniformBuffer && (known->usage & kUsageUniform) == 0) fault("{}: {} is no uniform buffer", pass.shader, to);
+        }
+        const bool isWritten = std::find(pass.writes.begin(), pass.writes.end(), name) != pass.writes.end();
+        if (isWritten && access.isNonWritable) fault("{}: {} is to be written and NonWritable", pass.shader, name);
+        if (!isWritten && !access.isNonWritable) fault("{}: {} could be written", pass.shader, name);
+    }
+
+    void checkConstants(const Pass& pass, std::span<const uint32_t> spirv) {
+        std::set<std::string> there, given;
+        for (const auto& [id, name] : host::reflect(spirv).specialization) there.insert(name);
+        for (const Constant& constant : pass.constants) given.insert(std::string(constant.name));
+        if (there != given) fault("{}: has the constants {}, the list gives {}", pass.shader, there, given);
+    }
+
+    struct State {
+        std::set<std::string> begun;       ///< somebody has touched them
+        std::set<std::string> unseen;      ///< written since the last barrier
+        std::set<std::string> unreadable;  ///< written since the last kBeforeIndirect
+    };
+    const Row& row_;
+    ArrayList frame_;
+    State state_;
+    std::set<std::string> used_, asked_;
+    std::vector<std::string> faults_;
+};
+
+TEST(PassList, AgreesWithTheShaders) {
+    for (const Row& row : rows())
+        for (const std::string& fault : Checker(row).faults()) ADD_FAILURE() << fault;
+}
+
+/// No list is so long that it would need other numbers: groups of many casters, none at all.
+TEST(PassList, AnyNumberOfCasters) {
+    for (const uint32_t casters : {0u, 1u, 63u, 64u, 65u, 4000000u})
+        for (const PassList& passes : {topBuildPasses(casters, {}), lightBvhBuildPasses(casters, casters), rayQueryBuildPasses(casters)})
+            for (const Pass& pass : passes)
+                for (const uint32_t groups : pass.groups) EXPECT_TRUE(groups >= 1 && groups <= 65535) << pass.shader << " " << casters;
+}
+
+TEST(PassList, SizesAreThoseOfTheHeaders) {
+    const ArrayList top = topArrays(7), bvh = lightBvhArrays(1000, 3000), map = shadowMapArrays(7);
+    EXPECT_EQ(arrayNamed(top, "gnoTopHeader").bytes, sizeof(GnoTopHeader));
+    EXPECT_EQ(arrayNamed(top, "gnoTopLinks").bytes, 4 * 7 * sizeof(GnoTopLink));
+    EXPECT_EQ(arrayNamed(bvh, "gnoLightBvhHeader").bytes, sizeof(GnoLightBvhHeader));
+    EXPECT_EQ(arrayNamed(bvh, "gnoLightBvhLevels").bytes, GNO_LIGHT_BVH_LEVELS * sizeof(GnoLightBvhLevel));
+    EXPECT_EQ(arrayNamed(bvh, "gnoLightBvhSums").bytes, 4 * gnoLightBvhGroups(1000));
+    EXPECT_EQ(offsetof(GnoLightBvhHeader, references), kLightBvhReferencesAt);
+    for (const uint32_t pool : {0u, 1u, 2u, 3u, 4u, 5u, 1023u, 1024u, 1025u, 100001u, 2097152u}) {
+        const auto held = uint32_t(lightBvhCapacity(pool));
+        EXPECT_TRUE(held >= pool && held > 0 && held % 4 == 0 && held < pool + 5) << pool;
+        EXPECT_EQ(lightBvhNodes(held), gnoLightBvhNodes(held)) << pool;
+        EXPECT_EQ(lightBvhBoxes(held), gnoLightBvhBoxes(held)) << pool;
+        EXPECT_EQ(lightBvhNextRow(pool), gnoLightBvhNextRow(pool)) << pool;
+        EXPECT_EQ(lightBvhSortCounts(held), gnoSortCounts(held)) << pool;
+        uint32_t rows = 0, levels = 0, rounds = 0;
+        for (const Pass& pass : lightBvhBuildPasses(1000, pool)) {
+            rows += pass.shader.ends_with("_up.comp");
+            levels += pass.shader.ends_with("_collapse.comp");
+            rounds += pass.shader.ends_with("_scatter.comp");
+        }
+        uint32_t want = 0;
+        for (uint32_t boxes = held; boxes > 1; ++want) boxes = gnoLightBvhNextRow(boxes);
+        EXPECT_EQ(rows, want) << pool;
+        EXPECT_EQ(levels, GNO_LIGHT_BVH_LEVELS);
+        EXPECT_EQ(rounds, GNO_SORT_ROUNDS);
+    }
+    EXPECT_EQ(arrayNamed(map, "gnoShadowMapViews").bytes, sizeof(GnoShadowMapHeader) + 7 * sizeof(GnoShadowMapView));
+    EXPECT_EQ(lightBvhMostReferences(128 << 20), (128u << 20) / sizeof(GnoLightBvhNode));
+}
+
+Row named(const std::string& name) {
+    for (Row& row : rows())
+        if (row.name == name) return row;
+    throw std::out_of_range(name);
+}
+
+Pass& pass(PassList& passes, std::string_view end, size_t nth = 0) {
+    for (Pass& pass : passes)
+        if (pass.shader.ends_with(end) && nth-- == 0) return pass;
+    throw std::out_of_range(std::string(end));
+}
+
+Array& array(Row& row, std::string_view name) {
+    for (Array& array : row.arrays)
+        if (array.name == name) return array;
+    throw std::out_of_range(std::string(name));
+}
+
+/// The checker finds each of these, and finds nothing in the row as it is.
+TEST(PassList, TheCheckerSees) {
+    struct Spoiled {
+        std::string row, want;  ///< a part of the fault
+        std::function<void(Row&)> spoil;
+    };
+    const std::vector<Spoiled> cases{
+        {"top", "no such shader", [](Row& r) { r.build[0].shader = "top/examples/set_down.comp"; }},
+        {"top", "no part", [](Row& r) { r.build[1].part = ""; }},
+        {"top", "waits for nothing", [](Row& r) { r.build[0].before = kBeforeNothing; }},
+        {"top", "no barrier stands between", [](Row& r) { r.build[1].before = kBeforeNothing; }},
+        {"top", "0 groups", [](Row& r) { r.build[0].groups[1] = 0; }},
+        {"top", "65536 groups", [](Row& r) { r.build[0].groups[0] = 65536; }},
+        {"top", "nobody has gnoTopHeader", [](Row& r) { r.arrays.pop_back(); }},
+        {"top", "gnoTopPlanes: twice", [](Row& r) { r.arrays.push_back(r.arrays[0]); }},
+        {"top", "gnoTopLinks is 1.1, the list says 1.7", [](Row& r) { array(r, "gnoTopLinks").binding = 7; }},
+        {"top", "gnoTopLinks: no bytes", [](Row& r) { array(r, "gnoTopLinks").bytes = 0; }},
+        {"top", "gnoTopLinks is no storage buffer", [](Row& r) { array(r, "gnoTopLinks").usage = kUsageUniform; }},
+        {"top", "gnoTopLinks: kept too short", [](Row& r) { array(r, "gnoTopLinks").kept = Kept::forBuild; }},
+        {"top", "the list gives",
+         [](Row& r) {
+             r.build[0].constants.push_back({"kNothing", 1});
+         }},
+        {"top", "has the constants",
+         [](Row& r) {
+             r.build[0].constants = {{"kPrecision", 2}};
+         }},
+        {"top", "says that it writes",
+         [](Row& r) {
+             r.build[0].writes = {"gnoTopPlanes", "gnoTopHeader"};
+         }},
+        {"top", "says that it writes", [](Row& r) { r.build[1].writes.push_back("gnoTopPlanes"); }},
+        {"top", "gnoCasters is to be written and NonWritable", [](Row& r) { r.build[0].writes.push_back("gnoCasters"); }},
+        {"top", "draws gnoVisibility", [](Row& r) { r.queries[1][0].writes = {}; }},
+        {"top", "no pass uses it",
+         [](Row& r) {
+             r.arrays.push_back({"gnoNothing", 1, 9, "uint", 4});
+         }},
+        {"light_bvh", "no array gnoNothing", [](Row& r) { pass(r.build, "_leaves.comp").indirect = "gnoNothing"; }},
+        {"light_bvh", "not for indirect dispatches", [](Row& r) { array(r, "gnoLightBvhLevels").usage = kUsageStorage; }},
+        {"light_bvh", "offset 18", [](Row& r) { pass(r.build, "_leaves.comp").indirectOffset = 18; }},
+        {"light_bvh", "offset 1120", [](Row& r) { pass(r.build, "_collapse.comp").indirectOffset = 1120; }},
+        {"light_bvh", "wait for kBeforeIndirect", [](Row& r) { pass(r.build, "_collapse.comp", 3).before = kBeforeShaders; }},
+        {"light_bvh", "kBeforeIndirect without kBeforeShaders", [](Row& r) { pass(r.build, "_collapse.comp", 3).before = kBeforeIndirect; }},
+        {"light_bvh", "kept too long", [](Row& r) { array(r, "gnoLightBvhMasks").kept = Kept::forQuery; }},
+        {"light_bvh", "no uniform buffer", [](Row& r) { array(r, "gnoLightBvhGrid").usage = kUsageStorage; }},
+        {"light_bvh", "renames gnoNothing",
+         [](Row& r) {
+             pass(r.build, "_leaves.comp").renamed = {{"gnoNothing", "gnoLightBvhMasks"}};
+         }},
+        {"light_bvh", "nobody has gnoNothing",
+         [](Row& r) {
+             pass(r.build, "_leaves.comp").renamed = {{"gnoLightBvhOrder", "gnoNothing"}};
+         }},
+        {"light_bvh", "reads gnoSortedKeys before",
+         [](Row& r) {
+             pass(r.build, "_sort_count.comp").renamed = {{"gnoLightBvhKeys", "gnoSortedKeys"}};
+         }},
+        {"shadow_map", "nobody has gnoShadowMap", [](Row& r) { r.more = {}; }},
+        {"shadow_map", "does not say what it draws", [](Row& r) { pass(r.build, "depth.vert").writes = {}; }},
+        {"shadow_map", "reads gnoShadowMapBounds before", [](Row& r) { r.build.erase(r.build.begin()); }},
+    };
+    for (const Spoiled& spoiled : cases) {
+        Row row = named(spoiled.row);
+        ASSERT_EQ(Checker(row).faults(), std::vector<std::string>{}) << row.name;
+        spoiled.spoil(row);
+        const auto faults = Checker(row).faults();
+        EXPECT_TRUE(
+            std::any_of(faults.begin(), faults.end(), [&](const std::string& fault) { return fault.find(spoiled.want) != std::string::npos; }))
+            << spoiled.row << ": \"" << spoiled.want << "\" is not among " << fmt::format("{}", faults);
+    }
+}
+
+}  // namespace
+}  // namespace gno
