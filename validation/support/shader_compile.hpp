@@ -33,16 +33,16 @@ inline Ran runCommand(const std::string& command) {
 }
 
 /// A temporary include folder with a copy of what shaders include of glsl/ (not a link: nothing outside the copied folder can be reached through
-/// ".."), under the name `place`. Removed at the end.
+/// ".."), under the name `place`; `examples`: with what the examples share. Removed at the end.
 class Mount {
 public:
-    explicit Mount(const std::filesystem::path& glsl, const std::filesystem::path& place = "gnomon") {
+    explicit Mount(const std::filesystem::path& glsl, const std::filesystem::path& place = "gnomon", bool examples = false) {
         namespace fs = std::filesystem;
         std::string name = (fs::temp_directory_path() / "gnomon-drop-in-XXXXXX").string();
         if (!mkdtemp(name.data())) throw std::runtime_error("cannot make a temporary folder");
         folder_ = name;
         for (auto i = fs::recursive_directory_iterator(glsl); i != fs::recursive_directory_iterator(); ++i) {
-            if (i->is_directory() && i->path().filename() == "examples") i.disable_recursion_pending();
+            if (!examples && i->is_directory() && i->path().filename() == "examples") i.disable_recursion_pending();
             if (i->path().extension() != ".glsl" && i->path().extension() != ".h") continue;
             const fs::path copy = folder_ / place / fs::relative(i->path(), glsl);
             fs::create_directories(copy.parent_path());

@@ -45,7 +45,7 @@ CameraView scene() {
 /// Compiles the example with `from` of clusters/traverse.glsl replaced (empty: nothing), for the invocations that fulfil `active`.
 std::vector<uint32_t> traversal(const std::string& active, const std::string& from = "", const std::string& to = "") {
     const std::filesystem::path glsl = GNOMON_SOURCE_DIR "/glsl";
-    const test::Mount mount(glsl);
+    const test::Mount mount(glsl, "gnomon", true);
     std::string text = test::readText(glsl / "clusters/traverse.glsl");
     if (!from.empty()) {
         const size_t at = text.find(from);
