@@ -233,13 +233,13 @@ TEST(LightGrid, CountsPerSample) {
 }
 
 TEST(LightGrid, PassesAndBytes) {
-    const auto result = run(test::soup(kSeed, false, 400, 0.3, 3000), {"pool=4000"});
+    const auto result = run(test::soup(kSeed, false, 400, 0.3, 3000), {"pool=8000"});
     for (const host::RecordPass& pass : result.passes) EXPECT_EQ(host::isBuildPass(pass.name), pass.name != "light_grid_query") << pass.name;
     EXPECT_EQ(result.hostWaits, 0u);
     EXPECT_EQ(number(result.bytes, "planes"), 400u * 64u);
-    EXPECT_EQ(number(result.bytes, "items"), 8 * 4000u);
-    EXPECT_EQ(number(result.bytes, "pairs"), 8 * 4000u);
-    EXPECT_EQ(number(result.bytes, "lists"), 8 * (6u * 64 * 64 + 64 * (4000 / 9))) << "room for all cells that 4000 pairs can make crowded";
+    EXPECT_EQ(number(result.bytes, "items"), 8 * 8000u);
+    EXPECT_EQ(number(result.bytes, "pairs"), 8 * 8000u);
+    EXPECT_EQ(number(result.bytes, "lists"), 8 * (6u * 64 * 64 + 64 * (8000 / 9))) << "room for all cells that 8000 pairs can make crowded";
 }
 
 /// Pools are chosen before anything is counted; they are enlarged when they were too small, and the next frame knows.
