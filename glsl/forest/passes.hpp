@@ -77,7 +77,7 @@ inline ArrayList lightCellArrays(const LightCells& cells, std::uint64_t pool) {
     return {{"gnoForestGrid", 3, 0, "GnoForestGrid: forestGrid()", 48, kUsageUniform, First::host},
             {"gnoForestCells", 3, 1, "GnoForestCell[cells]", 16ull * cells.count()},
             {"gnoForestPairs", 3, 2, "GnoForestPair[pool]; its length is the capacity", 8 * pool},
-            {"gnoForestHeader", 3, 3, "GnoForestHeader", 60, kUsageStorage | kUsageIndirect},
+            {"gnoForestHeader", 3, 3, "GnoForestHeader", 60, kUsageStorage | kUsageIndirect, First::anything, Kept::forBuild},
             {"gnoForestFew", 3, 4, "GnoForestFew[casters]", 8 * n, kUsageStorage, First::anything, Kept::forBuild},
             {"gnoList", 2, 1, "uint[casters]: with some cells from its front on, with many from its back", 4 * n, kUsageStorage, First::anything,
              Kept::forBuild}};
@@ -126,22 +126,22 @@ inline PassList lightCellSortPasses(const LightCells& cells, std::string_view pa
             {.shader = "forest/examples/sizes.comp", .part = part, .before = kBeforeShaders, .writes = {"gnoForestHeader"}}};
 }
 
-/// The larger casters first: `many`, `some`, `few`. Cover and count are sums and minima: their three passes need no order. In the last step large
-/// casters come first into their cells' trees, being the better pivots.
-inline PassList lightCellAssignPasses(const LightCells& cells, AssignStep step, std::string_view part, std::uint32_t before) {
-    const bool ordered = step == AssignStep::emit;
+/// The larger casters first: `many`, `some`, `few`; in the last step they come first into their cells' trees, being the better pivots. Cover and
+/// count are minima and sums by atomics, in any order; barriers stand between their passes all the same, because validation sees one buffer written
+/// twice.
+inline PassList lightCellAssignPasses(const LightCells& cells, AssignStep step, std::string_view part) {
     const Few<Constant, 8> constants = assignConstants(cells, step);
     const Few<std::string_view, 12> writes{"gnoForestCells", "gnoForestPairs", "gnoForestHeader"};  // pairs and header in the last step only
     PassList list{{.shader = "forest/examples/assign_many.comp",
                    .part = part,
-                   .before = before,
+                   .before = kBeforeShaders | kBeforeIndirect,
                    .indirect = "gnoForestHeader",
                    .indirectOffset = 32,
                    .constants = constants,
                    .writes = writes},
                   {.shader = "forest/examples/assign_some.comp",
                    .part = part,
-                   .before = ordered ? kBeforeShaders | kBeforeIndirect : kBeforeNothing,
+                   .before = kBeforeShaders | kBeforeIndirect,
                    .indirect = "gnoForestHeader",
                    .indirectOffset = 16,
                    .constants = constants,
@@ -149,7 +149,7 @@ inline PassList lightCellAssignPasses(const LightCells& cells, AssignStep step, 
     if (step != AssignStep::cover)
         list.push_back({.shader = "forest/examples/assign_few.comp",
                         .part = part,
-                        .before = ordered ? kBeforeShaders : kBeforeNothing,
+                        .before = kBeforeShaders,
                         .groups = {groupsFor(cells.casters, kForestGroup), 1, 1},
                         .constants = constants,
                         .writes = writes});
@@ -161,8 +161,8 @@ inline void append(PassList& list, const PassList& more) { list.insert(list.end(
 /// What hides cells, and how many casters each keeps.
 inline PassList lightCellCountPasses(const LightCells& cells, std::string_view part) {
     PassList list;
-    if (cells.cover) append(list, lightCellAssignPasses(cells, AssignStep::cover, part, kBeforeShaders | kBeforeIndirect));
-    append(list, lightCellAssignPasses(cells, AssignStep::count, part, kBeforeShaders | (cells.cover ? 0u : kBeforeIndirect)));
+    if (cells.cover) append(list, lightCellAssignPasses(cells, AssignStep::cover, part));
+    append(list, lightCellAssignPasses(cells, AssignStep::count, part));
     return list;
 }
 
@@ -183,7 +183,7 @@ inline PassList forestCountPasses(const LightCells& cells) {
 /// All of the build. You: casters, states (core/caster_state.glsl) and view samples visible before.
 inline PassList forestBuildPasses(const LightCells& cells, const ForestOptions& options) {
     PassList list = forestCountPasses(cells);
-    append(list, lightCellAssignPasses(cells, AssignStep::emit, "forest_setup_emit", kBeforeShaders | kBeforeIndirect));
+    append(list, lightCellAssignPasses(cells, AssignStep::emit, "forest_setup_emit"));
     Pass overPairs{
         .shader = "forest/examples/set_up.comp",
         .part = "forest_setup",

@@ -38,7 +38,7 @@ inline ArrayList lightGridArrays(const LightCells& cells, const LightGridPools& 
     const std::uint64_t n = cells.casters > 0 ? cells.casters : 1, own = (cells.count() + std::uint64_t{63}) / 64 * 64;
     ArrayList arrays = lightCellArrays(cells, pools.pairs);
     for (Array& array : arrays)
-        if (array.name == "gnoForestCells" || array.name == "gnoForestPairs" || array.name == "gnoForestHeader") array.kept = Kept::forBuild;
+        if (array.name == "gnoForestCells" || array.name == "gnoForestPairs") array.kept = Kept::forBuild;
     arrays.push_back({"gnoGridLists", 1, 0, "GnoLightGridList[cells in whole 64 + 64 nests]", 8 * (own + 64 * nests)});
     arrays.push_back({"gnoGridItems", 1, 1, "GnoLightGridItem[items]; its length is the capacity", 8 * pools.items});
     arrays.push_back({"gnoGridDepths", 1, 2, "uint[64 nests]; its length says how many cells may be nested", nests > 0 ? 256 * nests : 16,
@@ -71,7 +71,7 @@ inline PassList lightGridBuildPasses(const LightCells& cells, const LightGridOpt
                     .constants = {{"kNest", options.nest}},
                     .writes = {"gnoForestCells", "gnoForestHeader", "gnoGridLists", "gnoGridDepths", "gnoGridHeader"}});
     list.push_back({.shader = "rivals/examples/light_grid_sizes.comp", .part = count, .before = kBeforeShaders, .writes = {"gnoGridHeader"}});
-    append(list, lightCellAssignPasses(cells, AssignStep::emit, "light_grid_setup_pairs", kBeforeShaders | kBeforeIndirect));
+    append(list, lightCellAssignPasses(cells, AssignStep::emit, "light_grid_setup_pairs"));
     if (options.nest > 0) {
         if (cells.viewCull)
             list.push_back({.shader = "rivals/examples/light_grid_depth.comp",

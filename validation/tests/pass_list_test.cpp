@@ -11,8 +11,12 @@
 
 #include "glsl/core/passes.hpp"
 #include "glsl/core/radix_sort.h"
+#include "glsl/forest/cells.h"
+#include "glsl/forest/passes.hpp"
 #include "glsl/rivals/light_bvh.h"
 #include "glsl/rivals/light_bvh_passes.hpp"
+#include "glsl/rivals/light_grid.h"
+#include "glsl/rivals/light_grid_passes.hpp"
 #include "glsl/rivals/ray_query_passes.hpp"
 #include "glsl/shadow_map/passes.hpp"
 #include "glsl/shadow_map/view.h"
@@ -43,6 +47,21 @@ std::vector<Row> rows() {
     Row& top = rows.emplace_back(Row{"top", topArrays(casters), topBuildPasses(casters, {}), {}});
     for (const TopQuery query : {TopQuery::stack, TopQuery::stackless, TopQuery::hybrid})
         for (const bool fragment : {false, true}) top.queries.push_back(topQueryPasses(width, height, {.query = query, .fragment = fragment}));
+
+    for (const bool all : {true, false}) {
+        const LightCells cells{.casters = casters, .width = width, .height = height, .resolution = 16, .viewCull = all, .cover = all};
+        const ForestOptions options{.slab = !all, .storePlanes = all};
+        Row& forest =
+            rows.emplace_back(Row{all ? "forest" : "bare forest", forestArrays(cells, 3000, options), forestBuildPasses(cells, options), {}});
+        for (const ForestQuery query : {ForestQuery::stack, ForestQuery::stackless, ForestQuery::hybrid})
+            for (const bool fragment : {false, true})
+                forest.queries.push_back(forestQueryPasses(width, height, options, {.query = query, .fragment = fragment}));
+        const LightGridOptions lists{.nest = all ? 8u : 0u};
+        rows.push_back({all ? "light_grid" : "bare light_grid",
+                        lightGridArrays(cells, {3000, 5000}, all ? 300 : 0, lists),
+                        lightGridBuildPasses(cells, lists),
+                        {lightGridQueryPasses(width, height, 2, lists, false), lightGridQueryPasses(width, height, 2, lists, true)}});
+    }
 
     Row& lightBvh = rows.emplace_back(Row{"light_bvh", lightBvhArrays(casters, 3000), lightBvhBuildPasses(casters, 3000), {}});
     for (const bool stackless : {false, true})
@@ -247,7 +266,9 @@ TEST(PassList, AgreesWithTheShaders) {
 /// No list is so long that it would need other numbers: groups of many casters, none at all.
 TEST(PassList, AnyNumberOfCasters) {
     for (const uint32_t casters : {0u, 1u, 63u, 64u, 65u, 4000000u})
-        for (const PassList& passes : {topBuildPasses(casters, {}), lightBvhBuildPasses(casters, casters), rayQueryBuildPasses(casters)})
+        for (const PassList& passes :
+             {topBuildPasses(casters, {}), lightBvhBuildPasses(casters, casters), rayQueryBuildPasses(casters),
+              forestBuildPasses({.casters = casters, .resolution = 256}, {}), lightGridBuildPasses({.casters = casters, .resolution = 256}, {})})
             for (const Pass& pass : passes)
                 for (const uint32_t groups : pass.groups) EXPECT_TRUE(groups >= 1 && groups <= 65535) << pass.shader << " " << casters;
 }
@@ -281,6 +302,52 @@ TEST(PassList, SizesAreThoseOfTheHeaders) {
     }
     EXPECT_EQ(arrayNamed(map, "gnoShadowMapViews").bytes, sizeof(GnoShadowMapHeader) + 7 * sizeof(GnoShadowMapView));
     EXPECT_EQ(lightBvhMostReferences(128 << 20), (128u << 20) / sizeof(GnoLightBvhNode));
+}
+
+TEST(PassList, CellsAreThoseOfTheHeaders) {
+    static_assert(sizeof(ForestGrid) == sizeof(GnoForestGrid) && offsetof(ForestGrid, along) == offsetof(GnoForestGrid, along));
+    static_assert(offsetof(ForestGrid, stepAcross) == offsetof(GnoForestGrid, stepAcross));
+    static_assert(offsetof(ForestGrid, stepAlong) == offsetof(GnoForestGrid, stepAlong));
+    static_assert(offsetof(ForestGrid, resolution) == offsetof(GnoForestGrid, resolution));
+    static_assert(offsetof(ForestGrid, faces) == offsetof(GnoForestGrid, faces));
+    static_assert(kForestGroup == GNO_FOREST_GROUP && kForestGroup == GNO_LIGHT_GRID_GROUP);
+    for (const uint32_t faces : {1u, 6u}) {
+        const LightCells cells{.casters = 7, .resolution = 4, .faces = faces};
+        EXPECT_EQ(cells.count(), gnoCellCount(4, faces));
+        const ArrayList forest = forestArrays(cells, 10, {.slab = true}), lists = lightGridArrays(cells, {10, 20}, 3, {});
+        EXPECT_EQ(arrayNamed(forest, "gnoForestGrid").bytes, sizeof(GnoForestGrid));
+        EXPECT_EQ(arrayNamed(forest, "gnoForestHeader").bytes, sizeof(GnoForestHeader));
+        EXPECT_EQ(arrayNamed(forest, "gnoForestCells").bytes, cells.count() * sizeof(GnoForestCell));
+        EXPECT_EQ(arrayNamed(forest, "gnoForestFew").bytes, 7 * sizeof(GnoForestFew));
+        EXPECT_EQ(arrayNamed(forest, "gnoForestPairs").bytes, 10 * sizeof(GnoForestPair));
+        EXPECT_EQ(arrayNamed(forest, "gnoTopHeader").bytes, sizeof(GnoTopHeader));
+        EXPECT_EQ(arrayNamed(forest, "gnoTopLinks").bytes, topLinkBytes(10));
+        EXPECT_EQ(arrayNamed(forest, "gnoTopPlanes").bytes, topPlaneBytes(10));
+        EXPECT_EQ(arrayNamed(forest, "gnoTopSlabs").bytes, topSlabBytes(10));
+        EXPECT_EQ(arrayNamed(lists, "gnoGridHeader").bytes, sizeof(GnoLightGridHeader));
+        EXPECT_EQ(arrayNamed(lists, "gnoGridLists").bytes, gnoLightGridLists(cells.count(), 3) * sizeof(GnoLightGridList));
+        EXPECT_EQ(arrayNamed(lists, "gnoGridItems").bytes, 20 * sizeof(GnoLightGridItem));
+        EXPECT_EQ(arrayNamed(lists, "gnoGridDepths").bytes, 4 * 64 * 3u);
+    }
+    const LightCells cells{.resolution = 4};
+    std::set<std::pair<std::string_view, uint32_t>> groups;
+    for (const PassList& passes : {forestBuildPasses(cells, {}), lightGridBuildPasses(cells, {})})
+        for (const Pass& pass : passes)
+            if (!pass.indirect.empty()) groups.insert({pass.shader.substr(pass.shader.rfind('/') + 1), pass.indirectOffset});
+    const decltype(groups) want{{"assign_many.comp", uint32_t(offsetof(GnoForestHeader, groupsOfMany))},
+                                {"assign_some.comp", uint32_t(offsetof(GnoForestHeader, groupsOfSome))},
+                                {"set_up.comp", uint32_t(offsetof(GnoForestHeader, groupsOfPairs))},
+                                {"build.comp", uint32_t(offsetof(GnoForestHeader, groupsOfPairs))},
+                                {"light_grid_pairs.comp", uint32_t(offsetof(GnoLightGridHeader, groupsOfPairs))},
+                                {"light_grid_allocate.comp", uint32_t(offsetof(GnoLightGridHeader, groupsOfLists))},
+                                {"light_grid_sort.comp", uint32_t(offsetof(GnoLightGridHeader, groupsOfLists))}};
+    EXPECT_EQ(groups, want);
+    for (const uint64_t pairs : {0u, 1u, 2u, 3u, 999u, 1000u}) {
+        EXPECT_TRUE(forestPool(pairs) >= std::max<uint64_t>(pairs, 1) && forestPool(pairs) % 2 == 0 && forestPool(pairs) < pairs + 3) << pairs;
+        EXPECT_GE(forestPoolFor(pairs), pairs + pairs / 4);
+    }
+    EXPECT_EQ(forestMostPairs(1u << 27), (1u << 27) / 64);
+    EXPECT_EQ(forestMostPairs(1u << 31), 65535u * 64);
 }
 
 Row named(const std::string& name) {
@@ -359,6 +426,11 @@ TEST(PassList, TheCheckerSees) {
          [](Row& r) {
              pass(r.build, "_sort_count.comp").renamed = {{"gnoLightBvhKeys", "gnoSortedKeys"}};
          }},
+        {"forest", "wait for kBeforeIndirect", [](Row& r) { pass(r.build, "set_up.comp").before = kBeforeShaders; }},
+        {"forest", "no barrier stands between", [](Row& r) { pass(r.build, "assign_few.comp").before = kBeforeNothing; }},
+        {"forest", "gnoTopHeader: kept too short", [](Row& r) { array(r, "gnoTopHeader").kept = Kept::forBuild; }},
+        {"light_grid", "wait for kBeforeIndirect", [](Row& r) { pass(r.build, "_sort.comp").before = kBeforeShaders; }},
+        {"light_grid", "has the constants", [](Row& r) { pass(r.build, "_open.comp").constants = {}; }},
         {"shadow_map", "nobody has gnoShadowMap", [](Row& r) { r.more = {}; }},
         {"shadow_map", "does not say what it draws", [](Row& r) { pass(r.build, "depth.vert").writes = {}; }},
         {"shadow_map", "reads gnoShadowMapBounds before", [](Row& r) { r.build.erase(r.build.begin()); }},

@@ -11,6 +11,7 @@ function(gnomon_add_barrier_test name)
   set_tests_properties(${name} PROPERTIES TIMEOUT 300 LABELS device ENVIRONMENT "LP_NATIVE_VECTOR_WIDTH=256;GNOMON_VALIDATE=1"
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 endfunction()
+gnomon_add_barrier_test(pass_barriers_forest_test)
 gnomon_add_barrier_test(pass_barriers_rivals_test)
 gnomon_add_barrier_test(pass_barriers_shadow_map_test)
 gnomon_add_barrier_test(pass_barriers_top_test)
