@@ -51,6 +51,7 @@ struct ClusterUniform {
 static_assert(sizeof(ClusterUniform) == 144);
 
 inline constexpr std::uint32_t kClusterTile = 8, kClusterMostBits = 29;  ///< pixels; of a key (compact: one less)
+inline constexpr std::uint32_t kClusterGroupsAt = 32;                    ///< bytes: GnoClusterHeader::groups
 
 constexpr std::uint32_t clusterTileHeight(ClusterForm form) { return form == ClusterForm::flat ? 4 : kClusterTile; }
 
@@ -239,7 +240,7 @@ inline PassList clusterFinishPasses(const ClusterOptions& options) {
     Pass finish = cluster_passes::traversal(options, 2);
     finish.before = kBeforeShaders | kBeforeIndirect;
     finish.indirect = "gnoClusterHeader";
-    finish.indirectOffset = 32;  // groups
+    finish.indirectOffset = kClusterGroupsAt;
     return {{.shader = "clusters/examples/finish_size.comp",
              .part = "cluster_finish",
              .before = kBeforeShaders,
