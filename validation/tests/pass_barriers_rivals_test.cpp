@@ -20,12 +20,12 @@ TEST(PassBarriers, LightBvh) {
     PassList passes = lightBvhBuildPasses(inputs.triangleCount(), pool);
     for (const Pass& pass : lightBvhQueryPasses(inputs.width(), inputs.height(), {})) passes.push_back(pass);
     constexpr std::string_view silent =
-        "works in place, which counts as a write after a write: the layer (1.3.239) reports none between descriptors";
+        "it changes in place what the pass before wrote: a write after a write to the layer (1.3.239), which says nothing of those by descriptors";
     const std::array unseen{test::UnseenBarrier{"rivals/examples/light_bvh_begin.comp", 0, kBeforeShaders, silent},
                             test::UnseenBarrier{"rivals/examples/light_bvh_sort_prefix.comp", test::kAnyNumber, kBeforeShaders, silent},
                             test::UnseenBarrier{"rivals/examples/light_bvh_up.comp", test::kAnyNumber, kBeforeShaders, silent},
                             test::UnseenBarrier{"rivals/examples/light_bvh_collapse.comp", 0, kBeforeIndirect,
-                                                "found by trying, cause not known: the split writes the counts before it"}};
+                                                "the pass before counts by atomics alone, which the layer (1.3.239) takes for reads"}};
     test::expectExactBarriers({passes, frame.with(arrays.bindings()), inputs.push()}, unseen);
 }
 

@@ -25,6 +25,7 @@
 #include "glsl/top/node.h"
 #include "glsl/top/passes.hpp"
 #include "host_min/vulkan/shader.hpp"
+#include "validation/support/module_lists.hpp"
 #include "validation/support/shader_access.hpp"
 
 namespace gno {
@@ -116,6 +117,11 @@ public:
             state_ = afterBuild;
             walk(query, false);
         }
+        for (const Array& array : row_.arrays)
+            for (const Array& other : row_.arrays)
+                if (array.name < other.name && array.set == other.set && array.binding == other.binding &&
+                    byName_.contains(std::string(array.name)) && byName_.contains(std::string(other.name)))
+                    fault("{} and {} have one number", array.name, other.name);
         for (const Array& array : row_.arrays) {
             if (!used_.contains(std::string(array.name))) fault("{}: no pass uses it", array.name);
             const bool isAsked = asked_.contains(std::string(array.name));
@@ -246,6 +252,7 @@ private:
         if (!known) {
             if (!isOther(to)) fault("{}: nobody has {}", pass.shader, to);
         } else {
+            if (name == to) byName_.insert(name);
             if (name == to && (known->set != access.set || known->binding != access.binding))
                 fault("{}: {} is {}.{}, the list says {}.{}", pass.shader, name, access.set, access.binding, known->set, known->binding);
             if (access.isStorageBuffer && (known->usage & kUsageStorage) == 0) fault("{}: {} is no storage buffer", pass.shader, to);
@@ -272,12 +279,27 @@ private:
     ArrayList frame_;
     State state_;
     std::set<std::string> used_, asked_;
+    std::set<std::string> byName_;  ///< bound without being renamed
     std::vector<std::string> faults_;
 };
 
 TEST(PassList, AgreesWithTheShaders) {
     for (const Row& row : rows())
         for (const std::string& fault : Checker(row).faults()) ADD_FAILURE() << fault;
+}
+
+/// What glsl/MODULES.md tells is held here, too.
+TEST(PassList, KnowsEveryTechniquesShaders) {
+    std::set<std::string_view> known;
+    const std::vector<Row> all = rows();
+    for (const Row& row : all) {
+        for (const Pass& pass : row.build) known.insert(pass.shader);
+        for (const PassList& query : row.queries)
+            for (const Pass& pass : query) known.insert(pass.shader);
+    }
+    for (const test::ModuleLists& lists : test::moduleLists())
+        for (const PassList& passes : {lists.build, lists.query})
+            for (const Pass& pass : passes) EXPECT_TRUE(known.contains(pass.shader)) << lists.technique << ": no row has " << pass.shader;
 }
 
 /// No list is so long that it would need other numbers: groups of many casters, none at all.
@@ -406,6 +428,7 @@ TEST(PassList, TheCheckerSees) {
         {"top", "nobody has gnoTopHeader", [](Row& r) { r.arrays.pop_back(); }},
         {"top", "gnoTopPlanes: twice", [](Row& r) { r.arrays.push_back(r.arrays[0]); }},
         {"top", "gnoTopLinks is 1.1, the list says 1.7", [](Row& r) { array(r, "gnoTopLinks").binding = 7; }},
+        {"top", "gnoTopHeader and gnoTopLinks have one number", [](Row& r) { array(r, "gnoTopHeader").binding = 1; }},
         {"top", "gnoTopLinks: no bytes", [](Row& r) { array(r, "gnoTopLinks").bytes = 0; }},
         {"top", "gnoTopLinks is no storage buffer", [](Row& r) { array(r, "gnoTopLinks").usage = kUsageUniform; }},
         {"top", "gnoTopLinks: kept too short", [](Row& r) { array(r, "gnoTopLinks").kept = Kept::forBuild; }},

@@ -2,7 +2,7 @@
 # record is not run, so one width does.
 add_library(gnomon_shader_access STATIC ${PROJECT_SOURCE_DIR}/validation/support/shader_access.cpp)
 target_link_libraries(gnomon_shader_access PRIVATE gnomon_flags spirv-cross-core)
-gnomon_add_test(pass_list_test LIBRARIES gnomon_frame gnomon_shaders gnomon_shader_access TIMEOUT 60)
+gnomon_add_test(pass_list_test LIBRARIES gnomon_frame gnomon_shaders gnomon_module_lists gnomon_shader_access TIMEOUT 60)
 
 function(gnomon_add_barrier_test name)
   add_executable(${name} ${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp)
