@@ -129,86 +129,6 @@ std::string nameOf(const Module& module, uint32_t variable, uint32_t type) {
 
 using Names = std::set<std::string>;
 
-// One line per example that writes anything. Held against the modules' headers by hand: what a step says it writes is what stands here.
-const std::map<std::string_view, Names> kWritten{
-    {"clusters/examples/allocate.comp", {"gnoClusterHeader", "gnoClusterPointers"}},
-    {"clusters/examples/clear_sums.comp", {"gnoTransmittances"}},
-    {"clusters/examples/finish_size.comp", {"gnoClusterHeader"}},
-    {"clusters/examples/merge.comp", {"gnoVisibility"}},
-    {"clusters/examples/merge_layers.comp", {"gnoTransmittances", "gnoVisibility"}},
-    {"clusters/examples/range.comp", {"gnoClusterHeader"}},
-    {"clusters/examples/reset.comp", {"gnoClusterHeader", "gnoClusterMasks", "gnoClusterShade"}},
-    {"clusters/examples/slices.comp", {"gnoClusterHeader", "gnoClusterSliceTable"}},
-    {"clusters/examples/tiles.comp", {"gnoClusterHeader", "gnoClusterHigh", "gnoClusterLow", "gnoClusterMasks"}},
-    {"clusters/examples/traverse.comp", {"gnoClusterHeader", "gnoClusterJobs", "gnoClusterMasks", "gnoClusterShade"}},
-    {"clusters/examples/traverse_layers.comp", {"gnoClusterHeader", "gnoClusterJobs", "gnoClusterMasks", "gnoClusterShade", "gnoTransmittances"}},
-    {"clusters/examples/up.comp", {"gnoClusterHeader", "gnoClusterHigh", "gnoClusterLow", "gnoClusterMasks"}},
-    {"clusters/examples/volumes.comp", {"gnoClusterHeader", "gnoClusterInfo", "gnoClusterVolumes"}},
-    {"core/examples/caster_state.comp", {"gnoStates"}},
-    {"core/examples/floor.comp", {"gnoVisibility"}},
-    {"core/examples/orient3d.comp", {"Answers"}},
-    {"core/examples/view_samples.comp", {"gnoSamples"}},
-    {"core/examples/view_samples_from_depth.comp", {"gnoSamples"}},
-    {"forest/examples/allocate.comp", {"gnoForestCells", "gnoForestHeader"}},
-    {"forest/examples/assign_few.comp", {"gnoForestCells", "gnoForestHeader", "gnoForestPairs"}},
-    {"forest/examples/assign_many.comp", {"gnoForestCells", "gnoForestHeader", "gnoForestPairs"}},
-    {"forest/examples/assign_some.comp", {"gnoForestCells", "gnoForestHeader", "gnoForestPairs"}},
-    {"forest/examples/build.comp", {"gnoForestCells", "gnoTopHeader", "gnoTopLinks", "gnoTopSlabs"}},
-    {"forest/examples/depth.comp", {"gnoForestCells"}},
-    {"forest/examples/query_hybrid.comp", {"gnoVisibility"}},
-    {"forest/examples/query_stack.comp", {"gnoVisibility"}},
-    {"forest/examples/query_stackless.comp", {"gnoVisibility"}},
-    {"forest/examples/reset.comp", {"gnoForestCells", "gnoForestHeader"}},
-    {"forest/examples/set_up.comp", {"gnoTopHeader", "gnoTopLinks", "gnoTopPlanes", "gnoTopSlabs"}},
-    {"forest/examples/sizes.comp", {"gnoForestHeader"}},
-    {"forest/examples/sort.comp", {"gnoForestFew", "gnoForestHeader", "gnoList"}},
-    {"rivals/examples/light_bvh_begin.comp", {"gnoLightBvhHeader", "gnoLightBvhLevels", "gnoLightBvhSums"}},
-    {"rivals/examples/light_bvh_collapse.comp", {"gnoLightBvhHeader", "gnoLightBvhLevels", "gnoLightBvhNode", "gnoLightBvhParents"}},
-    {"rivals/examples/light_bvh_count.comp", {"gnoLightBvhHeader", "gnoLightBvhMasks", "gnoLightBvhSums"}},
-    {"rivals/examples/light_bvh_emit.comp", {"gnoLightBvhHeader", "gnoLightBvhKeys", "gnoLightBvhOrder", "gnoLightBvhReferences"}},
-    {"rivals/examples/light_bvh_leaves.comp", {"gnoLightBvhBoxes_"}},
-    {"rivals/examples/light_bvh_query_stack.comp", {"gnoVisibility"}},
-    {"rivals/examples/light_bvh_query_stackless.comp", {"gnoVisibility"}},
-    {"rivals/examples/light_bvh_sort_count.comp", {"gnoSortCountWords"}},
-    {"rivals/examples/light_bvh_sort_prefix.comp", {"gnoSortCountWords"}},
-    {"rivals/examples/light_bvh_sort_scatter.comp", {"gnoSortedKeys", "gnoSortedOrder"}},
-    {"rivals/examples/light_bvh_split.comp",
-     {"gnoLightBvhHeader", "gnoLightBvhLevels", "gnoLightBvhNode", "gnoLightBvhParents", "gnoLightBvhSplits"}},
-    {"rivals/examples/light_bvh_up.comp", {"gnoLightBvhBoxes_"}},
-    {"rivals/examples/light_grid_allocate.comp", {"gnoGridHeader", "gnoGridLists"}},
-    {"rivals/examples/light_grid_depth.comp", {"gnoGridDepths"}},
-    {"rivals/examples/light_grid_open.comp", {"gnoForestCells", "gnoForestHeader", "gnoGridDepths", "gnoGridHeader", "gnoGridLists"}},
-    {"rivals/examples/light_grid_pairs.comp", {"gnoGridHeader", "gnoGridItems", "gnoGridLists"}},
-    {"rivals/examples/light_grid_planes.comp", {"gnoGridHeader", "gnoGridPlanes"}},
-    {"rivals/examples/light_grid_query.comp", {"gnoVisibility"}},
-    {"rivals/examples/light_grid_query_planes.comp", {"gnoVisibility"}},
-    {"rivals/examples/light_grid_reset.comp", {"gnoGridHeader"}},
-    {"rivals/examples/light_grid_sizes.comp", {"gnoGridHeader"}},
-    {"rivals/examples/light_grid_sort.comp", {"gnoGridHeader", "gnoGridItems"}},
-    {"rivals/examples/ray_query.comp", {"gnoVisibility"}},
-    {"rivals/examples/ray_set_up.comp", {"gnoRayIndices"}},
-    {"shadow_map/examples/fit.comp", {"gnoShadowMapBounds"}},
-    {"shadow_map/examples/query.comp", {"gnoVisibility"}},
-    {"shadow_map/examples/reset.comp", {"gnoShadowMapBounds"}},
-    {"top/examples/build.comp", {"gnoTopHeader", "gnoTopLinks"}},
-    {"top/examples/query_hybrid.comp", {"gnoVisibility"}},
-    {"top/examples/query_stack.comp", {"gnoVisibility"}},
-    {"top/examples/query_stackless.comp", {"gnoVisibility"}},
-    {"top/examples/set_up.comp", {"gnoTopHeader", "gnoTopLinks", "gnoTopPlanes"}},
-    {"top/examples/trace_hybrid.comp", {"gnoTopTrace", "gnoTopVisits", "gnoVisibility"}},
-    {"top/examples/trace_stack.comp", {"gnoTopTrace", "gnoTopVisits", "gnoVisibility"}},
-    {"top/examples/trace_stackless.comp", {"gnoTopTrace", "gnoTopVisits", "gnoVisibility"}},
-};
-
-// What the instrumented variant of a shader writes more.
-Names countersOf(std::string_view shader) {
-    if (shader.ends_with("/build.comp")) return {"gnoTotals"};
-    if (shader.find("/traverse") != std::string_view::npos) return {"gnoCounts", "gnoSteps", "gnoTotals"};
-    const bool asks = shader.find("query") != std::string_view::npos || shader.find("/trace_") != std::string_view::npos;
-    if (shader.ends_with(".comp") && (asks || shader == "core/examples/floor.comp")) return {"gnoCounts"};
-    return {};
-}
-
 /// Storage buffers and storage images that `wanted` picks, by name.
 template <class Wanted>
 Names pick(const Module& module, Wanted wanted) {
@@ -241,16 +161,6 @@ Names writable(std::span<const uint32_t> spirv) {
 Names stored(std::span<const uint32_t> spirv) {
     const Module module(spirv);
     return pick(module, [&](uint32_t variable, uint32_t, const Type&) { return module.stored.contains(variable); });
-}
-
-Names writtenBy(std::string_view shader) {
-    constexpr std::string_view kCounters = ".counters";
-    const bool counts = shader.ends_with(kCounters);
-    if (counts) shader.remove_suffix(kCounters.size());
-    const auto listed = kWritten.find(shader);
-    Names names = listed == kWritten.end() ? Names{} : listed->second;
-    if (counts) names.merge(countersOf(shader));
-    return names;
 }
 
 }  // namespace gno::test

@@ -17,6 +17,7 @@ std::set<std::string> writable(std::span<const uint32_t> spirv);
 std::set<std::string> stored(std::span<const uint32_t> spirv);
 
 /// What the passes that run this example ("top/examples/build.comp", or that with ".counters") write, all of it: no right beyond that is needed.
+/// From the lists of module_lists.hpp (Pass::writes); a few shaders that no list has are in written_by.cpp.
 std::set<std::string> writtenBy(std::string_view shader);
 
 }  // namespace gno::test
