@@ -6,6 +6,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . host_min/setup.sh
 cmake -G Ninja -B build -DCMAKE_BUILD_TYPE=Release "${gnomon_cmake_options[@]}" ${GNOMON_CMAKE_ARGS:-} > /dev/null
 cmake --build build ${GNOMON_BUILD_ARGS:-}
+export MESA_SHADER_CACHE_DIR="${MESA_SHADER_CACHE_DIR:-$PWD/build/shader_cache}"  # pipelines are compiled once, not once a test
+mkdir -p "$MESA_SHADER_CACHE_DIR"
 log=build/ctest-times.txt
 status=0
 ctest --test-dir build --output-on-failure --no-tests=error -j "$(nproc)" --output-log "$log" "$@" || status=$?

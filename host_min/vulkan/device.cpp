@@ -7,7 +7,9 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "host_min/error.hpp"
 
@@ -28,9 +30,33 @@ VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT 
     return VK_FALSE;
 }
 
+/// Mesa 25.0's disk cache of lavapipe shaders forgets the vector width: code for another width would be run, and subgroups vanish. So each width has
+/// a folder of its own below the folder that Mesa would use; where there is none, no cache.
+void separateShaderCaches() {
+    const char* const width = std::getenv("LP_NATIVE_VECTOR_WIDTH");
+    if (!width || std::getenv("MESA_SHADER_CACHE_DISABLE")) return;
+    namespace fs = std::filesystem;
+    const auto folder = [](const char* variable, const char* below) {
+        const char* const value = std::getenv(variable);
+        if (!value || !*value) return fs::path();
+        return *below ? fs::path(value) / below : fs::path(value);
+    };
+    fs::path base;
+    for (const auto& [variable, below] : {std::pair("MESA_SHADER_CACHE_DIR", ""), std::pair("XDG_CACHE_HOME", ""), std::pair("HOME", ".cache")})
+        if (base.empty()) base = folder(variable, below);
+    const std::string bits = width, name = "gnomon-lavapipe-" + bits;
+    if (base.filename() == name) return;  // a second device of this process
+    std::error_code error;
+    const bool isNumber = !bits.empty() && bits.find_first_not_of("0123456789") == std::string::npos;
+    if (isNumber && !base.empty()) fs::create_directories(base / name, error);
+    if (isNumber && !base.empty() && !error)
+        setenv("MESA_SHADER_CACHE_DIR", (base / name).c_str(), 1);
+    else
+        setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+}
+
 vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validation) {
-    // Mesa 25.0's disk cache of lavapipe shaders forgets the vector width: code for another width would be run, and subgroups vanish.
-    if (std::getenv("LP_NATIVE_VECTOR_WIDTH")) setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+    separateShaderCaches();
     const vk::ApplicationInfo application("gnomon", 1, "gnomon", 1, VK_API_VERSION_1_3);
     std::vector<const char*> layers, extensions;
     const vk::ValidationFeatureEnableEXT synchronization = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
