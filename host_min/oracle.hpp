@@ -23,7 +23,7 @@ struct OracleSample {
 
 struct OracleQuestion {
     std::span<const Triangle> triangles;  ///< on the grid
-    std::span<const uint8_t> isCaster;    ///< one per triangle: 0 = left out by front-face culling; empty: all are casters
+    std::span<const uint8_t> isCaster;    ///< one per triangle: 0 = left out by whoever asks; empty: all are casters
     glm::vec4 light;                      ///< homogeneous, on the grid
     std::span<const OracleSample> samples;
     std::span<const uint32_t> surfaceOf{};  ///< as in Frame; empty: all triangles are opaque, and nobody asks for sums

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The overnight check: more than 10^8 view samples against the exact oracle, and adversarial scenes against brute force; all must be right.
 #   validation/long_run.sh [SIZE [FUZZ_SECONDS]]        default 1024x1024 600; writes out/long_run/*.jsonl and a summary on standard output
-# Paths: every fourth frame of two scenes, all lights, every certified technique. Adversarial: hard cases over 8 insertion orders, and the fuzzer.
+# Paths: every fourth frame of two scenes, all lights, every certified technique. Adversarial: hard cases over 8 insertion orders, their test on all
+# rungs and orders at subgroup widths 4, 8 and 16, and the fuzzer.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 size=${1:-1024x1024}
@@ -9,7 +10,7 @@ seconds=${2:-600}
 [ "${GNOMON_MINIMAL:-0}" != 1 ] || { echo "long_run.sh: this needs everything: unset GNOMON_MINIMAL" >&2; exit 2; }
 . host_min/setup.sh
 cmake -G Ninja -B build -DCMAKE_BUILD_TYPE=Release "${gnomon_cmake_options[@]}" > /dev/null
-cmake --build build --target gnomon gnomon-scenes gnomon-hard-cases gnomon-fuzz
+cmake --build build --target gnomon gnomon-scenes gnomon-hard-cases gnomon-fuzz hard_cases_test
 out=out/long_run
 mkdir -p "$out"
 rm -f "$out"/*.jsonl
@@ -23,6 +24,7 @@ for scene in scenes/show_garden.glb "$out/playground.glb"; do
   done
 done
 build/bin/gnomon-hard-cases > "$out/hard_cases.md"
+GNOMON_LONG=1 ctest --test-dir build -R '^hard_cases_test' --timeout 7200 --output-on-failure  # every rung, 8 orders, three subgroup widths
 build/bin/gnomon-fuzz --seconds "$seconds" --seed "${GNOMON_SEED:-1}" | tee "$out/fuzz.txt" | tail -n 3
 echo "view samples checked: $(sum checked), wrong: $(sum wrong), leaks: $(sum leaks), self: $(sum self)"
 echo "hard cases: $out/hard_cases.md; fuzzing: $out/fuzz.txt"

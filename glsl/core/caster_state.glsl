@@ -5,8 +5,8 @@
 //        bits 0..1: facing + 1 (facing = gnoFacing, exact; 0 is seen edge-on and casts nothing)   bit 2: GNO_CASTER_KEPT
 //   int  gnoCasterFacing(uint state)                    facing of a kept caster, 0 of one that is left out
 //
-// Front-face culling drops what faces the light; it is legal only for closed, consistently oriented meshes, so it needs `closed`, and it changes the
-// set of casters that the definition speaks of. Hull culling drops what lies outside the convex hull of view frustum and light; it never changes a
+// Front-face culling drops what faces the light, where `closed` says that nobody misses it: legal for closed, consistently oriented, wholly opaque
+// meshes that neither camera nor near plane enters, where it changes no view sample's answer. Hull culling drops what lies outside the convex hull of view frustum and light; it never changes a
 // view sample:
 // a caster goes only when it is outside one plane of that hull by more than the plane's own margin.
 //

@@ -17,6 +17,7 @@
 // GNO_MATERIAL_BINDING_LIST     no        3        std430 GnoMaterial[materials]
 // GNO_MATERIAL_BINDING_TEXELS   no        4        std430 uint[texels]
 // GNO_MATERIAL_BINDING_SUMS     no        5        std430 uint[4 * pixels], see transmittance_sum.glsl
+// GNO_MATERIAL_SUMS             no        1        0: no sums, for a shader that only looks materials up
 // GNO_TRANSMITTANCE_ADDS        no        0        1: this shader clears the sums or adds to them; 0: they are readonly
 #ifdef GNO_CORE_MATERIAL_BINDINGS_GLSL
 #error "core/material_bindings.glsl: a second inclusion changes nothing: GNO_MATERIAL_SET and the other numbers are read once"
@@ -42,6 +43,9 @@
 #ifndef GNO_MATERIAL_BINDING_SUMS
 #define GNO_MATERIAL_BINDING_SUMS 5
 #endif
+#ifndef GNO_MATERIAL_SUMS
+#define GNO_MATERIAL_SUMS 1
+#endif
 #ifndef GNO_TRANSMITTANCE_ADDS
 #define GNO_TRANSMITTANCE_ADDS 0
 #endif
@@ -55,12 +59,14 @@ layout(set = GNO_MATERIAL_SET, binding = GNO_MATERIAL_BINDING_OF, std430) readon
 layout(set = GNO_MATERIAL_SET, binding = GNO_MATERIAL_BINDING_SURFACES, std430) readonly buffer GnoSurfaceBuffer { GnoSurface v[]; } gnoSurfaces;
 layout(set = GNO_MATERIAL_SET, binding = GNO_MATERIAL_BINDING_LIST, std430) readonly buffer GnoMaterialBuffer { GnoMaterial v[]; } gnoMaterials;
 layout(set = GNO_MATERIAL_SET, binding = GNO_MATERIAL_BINDING_TEXELS, std430) readonly buffer GnoTexelBuffer { uint v[]; } gnoTexels;
+#if GNO_MATERIAL_SUMS
 layout(set = GNO_MATERIAL_SET, binding = GNO_MATERIAL_BINDING_SUMS, std430) GNO_TRANSMITTANCE_ACCESS_ buffer GnoTransmittanceBuffer { uint v[]; }
 gnoTransmittances;
+#define GNO_TRANSMITTANCE_SUMS gnoTransmittances.v
+#endif
 
 #define GNO_LOAD_MATERIAL_OF(caster_) gnoMaterialOf.v[caster_]
 #define GNO_LOAD_SURFACE(index_) gnoSurfaces.v[index_]
 #define GNO_LOAD_MATERIAL(index_) gnoMaterials.v[index_]
 #define GNO_LOAD_TEXEL(index_) gnoTexels.v[index_]
-#define GNO_TRANSMITTANCE_SUMS gnoTransmittances.v
 #endif

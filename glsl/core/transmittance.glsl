@@ -6,6 +6,7 @@
 //   bool  gnoIsOpaqueCaster(uint caster)                                   it lets nothing through anywhere: one load, no texture
 //   ivec2 gnoHitTexel(uvec3 weights, GnoSurface s)                         texel coordinate of the hit point
 //   uvec4 gnoSampleTexture(GnoMaterial m, ivec2 at)                        filtered texel, 0 to 255 a channel; 255 each without a texture
+//   uint  gnoCoverage(GnoMaterial m, uvec4 texel)                          0 to 255; 0: a hole, which a camera does not see either
 //   uvec3 gnoTransmitted(GnoMaterial m, uvec4 texel)                       what passes, 0 to 255 a channel
 //   uint  gnoContribution(uint transmitted)                                round(-log2(transmitted / 255) * 2^16), 0 to 523918; 0:
 //   GNO_TRANSMITTANCE_OPAQUE
@@ -96,10 +97,14 @@ uint gnoPassing_(uint coverage_, uint colour_, uint transmission_) {
     return 255u - coverage_ + (coverage_ * colour_ * transmission_ + 32512u) / 65025u;  // at most 255^3
 }
 
+uint gnoCoverage(GnoMaterial m_, uvec4 texel_) {
+    if ((m_.kind & 3u) == GNO_MATERIAL_MASK) return texel_.w * m_.alpha >= m_.cutoff ? 255u : 0u;
+    if ((m_.kind & 3u) == GNO_MATERIAL_BLEND) return gnoTimesFactor_(texel_.w, m_.alpha);
+    return 255u;
+}
+
 uvec3 gnoTransmitted(GnoMaterial m_, uvec4 texel_) {
-    uint coverage_ = 255u;
-    if ((m_.kind & 3u) == GNO_MATERIAL_MASK) coverage_ = texel_.w * m_.alpha >= m_.cutoff ? 255u : 0u;
-    if ((m_.kind & 3u) == GNO_MATERIAL_BLEND) coverage_ = gnoTimesFactor_(texel_.w, m_.alpha);
+    uint coverage_ = gnoCoverage(m_, texel_);
     return uvec3(gnoPassing_(coverage_, gnoTimesFactor_(texel_.x, m_.red), m_.transmission),
                  gnoPassing_(coverage_, gnoTimesFactor_(texel_.y, m_.green), m_.transmission),
                  gnoPassing_(coverage_, gnoTimesFactor_(texel_.z, m_.blue), m_.transmission));

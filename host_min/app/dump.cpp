@@ -59,7 +59,7 @@ Dump makeDump(const FrameInputs& inputs, const TechniqueResult& result, const Re
     index["light"] = listOf(inputs.light());
     index["size"] = {inputs.width(), inputs.height()};
     index["grid"] = {
-        {"centre", listOf(frame.grid.centre)}, {"exponent", frame.grid.exponent}, {"low", listOf(frame.low)}, {"high", listOf(frame.high)}};
+        {"centre", listOf(frame.grid.origin)}, {"exponent", frame.grid.exponent}, {"low", listOf(frame.low)}, {"high", listOf(frame.high)}};
     index["camera"] = cameraOf(frame.camera);
     if (result.traced) index["trace"] = {result.traced->x, result.traced->y};
     index["record"] = toJson(record);

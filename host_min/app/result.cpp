@@ -47,9 +47,8 @@ std::vector<OracleSample> oracleSamples(const FrameInputs& inputs) {
 }
 
 OracleAnswer askOracle(Oracle& oracle, const FrameInputs& inputs, bool withSums, const std::function<void(double)>& progress) {
-    const std::vector<uint8_t> casters = inputs.definitionCasters();
     const std::vector<OracleSample> samples = oracleSamples(inputs);
-    OracleQuestion question{inputs.frame().triangles, casters, inputs.light(), samples};
+    OracleQuestion question{inputs.frame().triangles, {}, inputs.light(), samples};
     if (withSums) {
         question.surfaceOf = inputs.frame().surfaceOf;
         question.surfaces = inputs.frame().surfaces;
@@ -86,6 +85,12 @@ Record makeRecord(const FrameInputs& inputs, const TechniqueResult& result) {
     const DeviceFacts& device = inputs.device().facts();
     record.device = {device.deviceName, fmt::format("{} {}", device.driverName, device.driverInfo), device.subgroupSize};
     record.size = {inputs.width(), inputs.height()};
+    const Frame& frame = inputs.frame();
+    record.grid = {{frame.grid.origin.x, frame.grid.origin.y, frame.grid.origin.z},
+                   frame.grid.step(),
+                   frame.harm.movedPixels,
+                   frame.harm.lightArcsec,
+                   frame.harm.changed};
     record.triangles = inputs.triangleCount();
     record.casters = inputs.casterCount();
     record.samples = inputs.sampleCount();

@@ -41,12 +41,39 @@ void checkTrace(const ShadeOptions& options, const FrameInputs& inputs) {
             "--trace {},{}: that pixel shows the background or a surface that faces away from the light, so it has no query", at.x, at.y));
 }
 
+std::string lightName(const Frame& frame, int light) {
+    const std::string& name = frame.lights[size_t(light)].name;
+    return name.empty() ? fmt::format("light {}", light) : fmt::format("light {} ({})", light, name);
+}
+
+/// What the grid does to the picture: far lights (once), a warning, or an InputError.
+void tellGrid(const Frame& frame, const ShadeOptions& options, bool anyway, bool isFirst) {
+    for (size_t i = 0; i < frame.lights.size() && isFirst; ++i) {
+        const Light& light = frame.lights[i];
+        if (light.isFar)
+            fmt::print("{} is far away: taken as directional, which moves no boundary by more than {:.2g} pixel\n", lightName(frame, int(i)),
+                       light.parallaxPixels);
+    }
+    const GridHarm& harm = frame.harm;
+    if (harm.changed) fmt::print("the grid is another one than in the frame before\n");
+    if (harm.movedPixels < kHarmTold) return;
+    const std::string cause = harm.forLight < 0 ? "triangles" : lightName(frame, harm.forLight);
+    const std::string what = fmt::format(
+        "putting positions on the grid moves what the camera sees by up to {:.3g} pixel{}: the grid reaches {:.3g} "
+        "units from there, for {}",
+        harm.movedPixels, harm.movedPixels < 1.5 ? "" : "s", harm.reach, cause);
+    if (harm.movedPixels >= kHarmRefused && !anyway)
+        throw InputError(fmt::format("{}: {}; move that nearer, or add --set grid=anyway", options.scene.string(), what));
+    fmt::print(stderr, "warning: {}\n", what);
+}
+
 }  // namespace
 
 bool shade(const ShadeOptions& options) {
     std::string leftOut;
     std::vector<Technique*> chosen = chooseTechniques(options, leftOut);
-    const Cull cull = cullByName(Settings(frameSettings(), options.settings).word("cull"));
+    const Settings forFrame(frameSettings(), options.settings);
+    const Cull cull = cullByName(forFrame.word("cull"));
     const std::unique_ptr<Oracle> oracle = options.check ? makeOracle() : nullptr;
     if (options.check && !oracle) throw InputError("--check: this build has no oracle; configure with GNOMON_VALIDATION=ON");
 
@@ -75,10 +102,13 @@ bool shade(const ShadeOptions& options) {
     std::map<uint32_t, StructureCache> structuresOf;  // per light; they outlive frames
     if (!leftOut.empty()) fmt::print("{}\n", leftOut);
 
+    std::optional<Grid> grid;  // of the frame before
     for (uint32_t number = options.firstFrame; number <= options.lastFrame; ++number) {
         throwIfInterrupted();
         progress.show("scene");
-        const Frame frame = file.evaluate(number, options.camera);
+        const Frame frame = file.evaluate(number, View{options.camera, options.width, options.height, options.light, grid});
+        grid = frame.grid;
+        tellGrid(frame, options, forFrame.word("grid") == "anyway", number == options.firstFrame);
         if (options.techniques.empty() && !options.allTechniques) {
             const Choice choice = chooseAutomatically(frame, options.precision);
             if (number == options.firstFrame) fmt::print("auto: {}\n", choice.why);
@@ -88,6 +118,8 @@ bool shade(const ShadeOptions& options) {
         for (uint32_t light = options.light.value_or(0); light <= options.light.value_or(lightCount - 1); ++light) {
             progress.show("view samples");
             inputs.setLight(frame.lights.at(light).homogeneous, cull);
+            if (number == options.firstFrame && light == options.light.value_or(0) && !inputs.leftWhole().empty())
+                fmt::print("{}\n", inputs.leftWhole());
             checkTrace(options, inputs);
             const double floorMs = measureFloor(inputs, std::max(options.repeat, 3u), true);
             std::optional<OracleAnswer> answer;
@@ -113,7 +145,7 @@ bool shade(const ShadeOptions& options) {
                 record.technique = technique->info().name;
                 record.precision = name(options.precision);
                 record.settings = Settings(technique->info().settings, options.settings).json();
-                record.settings.update(Settings(frameSettings(), options.settings).json());
+                record.settings.update(forFrame.json());
                 record.frame = number;
                 record.light = light;
                 record.floorMs = floorMs;

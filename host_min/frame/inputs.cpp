@@ -18,10 +18,11 @@ namespace {
 constexpr uint32_t kMaxSide = 8192;
 constexpr uint32_t kGroup = 64;  // of caster_state.comp
 
-std::vector<uint32_t> closedBits(const Frame& frame) {
-    std::vector<uint32_t> bits((frame.triangles.size() + 31) / 32, 0);
-    for (size_t i = 0; i < frame.closed.size(); ++i)
-        if (frame.closed[i]) bits[i / 32] |= 1u << (i % 32);
+/// A bit a triangle, 32 a word; `flags` is empty (none is set) or has one entry per triangle.
+std::vector<uint32_t> packed(std::span<const uint8_t> flags, size_t triangles) {
+    std::vector<uint32_t> bits((triangles + 31) / 32, 0);
+    for (size_t i = 0; i < flags.size(); ++i)
+        if (flags[i]) bits[i / 32] |= 1u << (i % 32);
     return bits;
 }
 
@@ -29,18 +30,6 @@ std::vector<uint32_t> closedBits(const Frame& frame) {
 vk::BufferUsageFlags casterUsage(const DeviceFacts& device) {
     const vk::BufferUsageFlags usage = vk::BufferUsageFlagBits::eStorageBuffer;
     return device.rayQuery ? usage | AccelerationStructure::kInputUsage : usage;
-}
-
-/// Sign of det[b - a, c - a, l - a * w] on the grid: > 0, the light sees the front. Integers, independent of the shader.
-int frontSign(const Triangle& t, glm::vec4 light) {
-    using Wide = __int128;
-    const auto fixed = [](float v) { return int64_t(std::ldexp(double(v), kGridBits)); };
-    const auto sub = [&](glm::vec3 p, glm::vec3 q) {
-        return std::array<Wide, 3>{fixed(p.x) - fixed(q.x), fixed(p.y) - fixed(q.y), fixed(p.z) - fixed(q.z)};
-    };
-    const auto u = sub(t.b, t.a), v = sub(t.c, t.a), w = sub(glm::vec3(light), t.a * light.w);
-    const Wide d = u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0]);
-    return d > 0 ? 1 : d < 0 ? -1 : 0;
 }
 
 }  // namespace
@@ -64,6 +53,7 @@ FrameInputs::FrameInputs(PassCache& passes, const Frame& frame, uint32_t width, 
       casters_(passes.device(), frame.triangles.size() * sizeof(Triangle), casterUsage(passes.device().facts())),
       states_(passes.device(), frame.triangles.size() * 4),
       closed_(passes.device(), (frame.triangles.size() + 31) / 32 * 4),
+      oneSided_(passes.device(), closed_.bytes()),
       camera_(passes.device(), sizeof(glm::mat4), vk::BufferUsageFlagBits::eUniformBuffer),
       planes_(passes.device(), kMaxCullPlanes * sizeof(glm::vec4), vk::BufferUsageFlagBits::eUniformBuffer),
       positions_(passes.device(), width, height, vk::Format::eR32G32B32A32Sfloat),
@@ -75,7 +65,8 @@ FrameInputs::FrameInputs(PassCache& passes, const Frame& frame, uint32_t width, 
         throw InputError(fmt::format("{} triangles are over the limit of {} that the device's maxStorageBufferRange sets", frame.triangles.size(),
                                      device().facts().maxStorageBufferRange / 64));
     casters_.upload(std::span(frame.triangles));
-    closed_.upload(std::span<const uint32_t>(closedBits(frame)));
+    closed_.upload(std::span<const uint32_t>(packed(frame.closed, frame.triangles.size())));
+    oneSided_.upload(std::span<const uint32_t>(packed(frame.oneSided, frame.triangles.size())));
     Recording recording(device());
     for (const Image* image : {&positions_, &normals_, &primitives_, &depth_, &samples_}) recording.toGeneral(*image);
     recording.submit();
@@ -96,11 +87,17 @@ void FrameInputs::rasterise() {
     camera_.upload(std::span(&clip, 1));
 
     const std::array formats{positions_.format(), normals_.format(), primitives_.format()};
-    const RasterPass& pass = passes_.raster("core/examples/gbuffer.vert", "core/examples/gbuffer.frag", formats, true);
+    const std::string name = hasMaterials() ? "core/examples/gbuffer_materials" : "core/examples/gbuffer";
+    const RasterPass& pass = passes_.raster(name + ".vert", name + ".frag", formats, true);
     const std::array targets{RasterPass::Target{&positions_, vk::ClearColorValue(0.f, 0.f, 0.f, 0.f)},
                              RasterPass::Target{&normals_, vk::ClearColorValue(0.f, 0.f, 0.f, 0.f)},
                              RasterPass::Target{&primitives_, vk::ClearColorValue(GNO_BACKGROUND, 0u, 0u, 0u)}};
-    const std::array resources{Binding{"gnoCasters", &casters_}, Binding{"gnoCamera", &camera_}};
+    std::vector<Binding> resources{{"gnoCasters", &casters_}, {"gnoCamera", &camera_}, {"gnoOneSided", &oneSided_}};
+    if (hasMaterials())
+        resources.insert(resources.end(), {{"gnoMaterialOf", &materials().of()},
+                                           {"gnoSurfaces", &materials().surfaces()},
+                                           {"gnoMaterials", &materials().list()},
+                                           {"gnoTexels", &materials().texels()}});
     const ExamplePush constants = push();
     Recording recording(device());
     pass.draw(recording, targets, &depth_, resources, std::as_bytes(std::span(&constants, 1)), 3 * triangleCount());
@@ -110,6 +107,14 @@ void FrameInputs::rasterise() {
 void FrameInputs::setLight(glm::vec4 light, Cull cull) {
     light_ = light;
     cull_ = cull;
+    leftWhole_.clear();
+    if ((uint32_t(cull) & uint32_t(Cull::front)) != 0 && !givenSamples_) {
+        if (!frontCull_) {
+            frontCull_ = legalFrontCull(frame_, double(width_) / height_);
+            closed_.upload(std::span<const uint32_t>(packed(frontCull_->mayLose, frame_.triangles.size())));
+        }
+        leftWhole_ = frontCull_->leftWhole;
+    }
     const std::vector<glm::vec4> hull = givenSamples_ ? std::vector<glm::vec4>() : cullHull(frame_.camera, double(width_) / height_, light_);
     planes_.upload(std::span(hull));
     planeCount_ = uint32_t(hull.size());
@@ -155,13 +160,6 @@ std::vector<Binding> FrameInputs::withCasters(std::vector<Binding> others) const
 const MaterialBuffers& FrameInputs::materials() const {
     if (!materials_) materials_.emplace(device(), frame_);
     return *materials_;
-}
-
-std::vector<uint8_t> FrameInputs::definitionCasters() const {
-    if ((uint32_t(cull_) & uint32_t(Cull::front)) == 0) return {};
-    std::vector<uint8_t> result(frame_.triangles.size(), 1);
-    for (size_t i = 0; i < result.size(); ++i) result[i] = !(frame_.closed[i] && frontSign(frame_.triangles[i], light_) > 0);
-    return result;
 }
 
 }  // namespace gno::host

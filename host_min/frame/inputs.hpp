@@ -3,9 +3,11 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "glsl/core/shared_types.h"
+#include "host_min/frame/cull_front.hpp"
 #include "host_min/frame/example_push.hpp"
 #include "host_min/frame/materials.hpp"
 #include "host_min/oracle.hpp"
@@ -28,7 +30,8 @@ public:
     /// row lacks is background. Hull culling knows no frustum then and drops nothing.
     FrameInputs(PassCache& passes, const Frame& frame, std::span<const OracleSample> samples, uint32_t width = 64);
 
-    /// Makes view samples (unless they were given) and caster states for a homogeneous light on the grid.
+    /// Makes view samples (unless they were given) and caster states for a homogeneous light on the grid. Front-face culling leaves meshes whole for
+    /// which it would not be legal (cull_front.hpp); given samples must lie outside of all closed meshes.
     void setLight(glm::vec4 light, Cull cull);
 
     [[nodiscard]] PassCache& passes() const { return passes_; }
@@ -62,9 +65,8 @@ public:
     [[nodiscard]] uint64_t facingAwayCount() const { return facingAwayCount_; }
     [[nodiscard]] uint64_t casterCount() const { return casterCount_; }  ///< kept and not edge-on
     [[nodiscard]] PassTime casterSetUp() const { return casterSetUp_; }  ///< device time of the last setLight's caster pass
-
-    /// Triangles that front-face culling leaves in the definition's caster set, by an exact sign of the host's own; empty when all are.
-    [[nodiscard]] std::vector<uint8_t> definitionCasters() const;
+    /// Which closed meshes the last setLight left whole under front-face culling, and why, in one line; empty when none.
+    [[nodiscard]] const std::string& leftWhole() const { return leftWhole_; }
 
 private:
     FrameInputs(PassCache& passes, const Frame& frame, uint32_t width, uint32_t height, bool givenSamples);  // all but the samples
@@ -74,12 +76,14 @@ private:
     const Frame& frame_;
     uint32_t width_, height_;
     bool givenSamples_;
-    Buffer casters_, states_, closed_, camera_, planes_;
+    Buffer casters_, states_, closed_, oneSided_, camera_, planes_;
     Image positions_, normals_, primitives_, depth_, samples_;
     mutable std::optional<MaterialBuffers> materials_;
     glm::vec4 light_{0};
     Cull cull_ = Cull::none;
     uint32_t planeCount_ = 0;
+    std::optional<FrontCull> frontCull_;  // made when it is first asked for
+    std::string leftWhole_;
     std::vector<OracleSample> pixels_;
     uint64_t sampleCount_ = 0, facingAwayCount_ = 0, casterCount_ = 0;
     PassTime casterSetUp_{"caster_setup", 0};

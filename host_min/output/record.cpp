@@ -72,6 +72,10 @@ ordered_json toJson(const Record& record) {
     json["settings"] = record.settings.is_null() ? ordered_json::object() : record.settings;
     json["device"] = {{"name", record.device.name}, {"driver", record.device.driver}, {"subgroup", record.device.subgroup}};
     json["size"] = {record.size[0], record.size[1]};
+    const RecordGrid& grid = record.grid;
+    json["grid"] = {
+        {"origin", grid.origin}, {"step", grid.step}, {"moved_px", grid.movedPixels}, {"light_arcsec", grid.lightArcsec}, {"changed", grid.changed}};
+    requireFinite(json["grid"]);
     json["triangles"] = record.triangles;
     json["casters"] = record.casters;
     json["samples"] = record.samples;

@@ -33,6 +33,14 @@ struct RecordCounters {
     NamedNumbers more;
 };
 
+/// What putting positions on the grid did to the picture (scene.hpp, GridHarm).
+struct RecordGrid {
+    std::array<double, 3> origin{};  ///< world units
+    double step = 0;                 ///< positions are multiples of it, world units
+    double movedPixels = 0, lightArcsec = 0;
+    bool changed = false;  ///< another grid than that of the frame before
+};
+
 struct RecordCheck {
     uint64_t checked = 0, wrong = 0, leaks = 0, falseDark = 0;
     uint64_t self = 0;     ///< samples that only their own primitive would darken
@@ -46,6 +54,7 @@ struct Record {
     nlohmann::ordered_json settings = nlohmann::ordered_json::object();  ///< of `--set`: name and value, defaults included
     RecordDevice device;
     std::array<uint32_t, 2> size{};
+    RecordGrid grid;
     uint64_t triangles = 0;  ///< in the scene
     uint64_t casters = 0;    ///< left after culling
     uint64_t samples = 0, inShadow = 0;

@@ -103,6 +103,10 @@ std::string formatTable(std::span<const Record> records, bool color) {
         text += fmt::format("{}, frame {}, light {}: {}x{}, {} triangles, {} samples\n", first.scene, first.frame, first.light, first.size[0],
                             first.size[1], first.triangles, first.samples);
         appendRows(text, tableCells(records.first(count)), color);
+        if (anyCheck(records.first(count)))
+            text += fmt::format(
+                "wrong: against the definition on the grid; putting positions there moved what the camera sees by at most {:.2g} pixel\n",
+                first.grid.movedPixels);
         records = records.subspan(count);
     }
     return text;

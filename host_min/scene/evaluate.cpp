@@ -11,30 +11,6 @@ namespace gno::host {
 
 namespace {
 
-// One mesh at one place.
-struct Instance {
-    uint32_t node;
-    const MeshData& mesh;
-    glm::dmat4 world;
-    const std::vector<glm::dmat4>& joints;  // empty without a skin
-    bool isMirrored;                        // its winding is flipped
-};
-
-// A skin replaces its node's matrix; whether it mirrors, its first joint tells.
-template <typename Use>
-void forEachInstance(const SceneFile::Data& data, const Pose& pose, Use&& use) {
-    for (const uint32_t i : data.meshNodes) {
-        const NodeData& node = data.nodes[i];
-        std::vector<glm::dmat4> joints;
-        if (node.skin >= 0) joints = jointMatrices(data.skins[static_cast<size_t>(node.skin)], pose);
-        for (const glm::dmat4& instance : node.instances) {
-            const glm::dmat4 world = pose.world[i] * instance;
-            const bool isMirrored = glm::determinant(glm::dmat3(joints.empty() ? world : joints.front())) < 0;
-            use(Instance{i, data.meshes[static_cast<size_t>(node.mesh)], world, joints, isMirrored});
-        }
-    }
-}
-
 // Makes a frame's triangles, one mesh instance after the other. Its buffers are reused.
 class Assembler {
 public:
@@ -45,6 +21,7 @@ public:
         frame_.triangles.reserve(total);
         frame_.material.reserve(total);
         frame_.object.reserve(total);
+        frame_.oneSided.reserve(total);
         frame_.closed.reserve(total);
         forEachInstance(data_, pose_, [this](const Instance& instance) { add(instance); });
     }
@@ -83,6 +60,7 @@ private:
             kept_.push_back(static_cast<uint32_t>(welded_.size() - 1));
             frame_.triangles.push_back(triangle);
             frame_.material.push_back(primitive.material);
+            frame_.oneSided.push_back(!data_.look->materials[primitive.material].doubleSided);
             addSurface(primitive, i, instance.isMirrored);
         }
     }
@@ -127,20 +105,20 @@ Box triangleBox(const SceneFile::Data& data, const Pose& pose) {
     return box;
 }
 
-Frame evaluateFrame(const SceneFile::Data& data, double seconds, uint32_t camera) {
+Frame evaluateFrame(const SceneFile::Data& data, double seconds, const View& view) {
     const Pose pose = poseAt(data, seconds);
-    Box box = triangleBox(data, pose);
-    for (const glm::dvec3& light : lightPositions(data, pose)) box.add(light);
+    ViewGrid chosen = chooseGrid(data, seconds, pose, view);
 
     Frame frame;
     frame.facts = data.facts;
-    frame.grid = Grid::around(box.low, box.high);
+    frame.grid = chosen.grid;
+    frame.harm = chosen.harm;
+    frame.lights = std::move(chosen.lights);
     Assembler(data, pose, frame).run();
     if (frame.triangles.empty()) throw InputError("no triangle has an area: nothing can cast a shadow");
     if (!frame.surfaces.empty()) frame.look = data.look;
     frame.facts.duplicates = countDuplicates(frame.triangles);
-    frame.lights = lightsAt(data, pose, frame.grid);
-    frame.camera = cameraAt(data, pose, frame.grid, camera);
+    frame.camera = onGrid(cameraAt(data, pose, view.camera), frame.grid);
     frame.low = frame.high = frame.triangles.front().a;
     for (const Triangle& t : frame.triangles) {
         frame.low = glm::min(frame.low, glm::min(t.a, glm::min(t.b, t.c)));

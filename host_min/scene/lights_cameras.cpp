@@ -98,25 +98,23 @@ glm::dmat3 looking(glm::dvec3 backward, glm::dvec3 up) {
     return {x, glm::cross(z, x), z};
 }
 
-glm::dmat4 placed(const glm::dmat3& turn, glm::dvec3 position, const Grid& grid) {
+glm::dmat4 placed(const glm::dmat3& turn, glm::dvec3 position) {
     glm::dmat4 result(turn);
-    result[3] = glm::dvec4((position - grid.centre) * grid.scale(), 1.0);
+    result[3] = glm::dvec4(position, 1.0);
     return result;
 }
 
-std::vector<Light> defaultLights(const Box& box, const Grid& grid) {
-    Light point;
-    point.name = "default point light";
-    point.isDefault = true;
-    point.homogeneous = glm::vec4(grid.snap(defaultPoint(box)), 1.0f);
-    Light directional = point;
-    directional.name = "default directional light";
-    directional.kind = Light::Kind::directional;
-    directional.homogeneous = glm::vec4(snapDirection(kDefaultTowards), 0.0f);
+std::vector<PlacedLight> defaultLights(const Box& box) {
+    PlacedLight point{{}, defaultPoint(box), {0, 0, 1}};
+    point.light.name = "default point light";
+    point.light.isDefault = true;
+    PlacedLight directional{point.light, {}, kDefaultTowards};
+    directional.light.name = "default directional light";
+    directional.light.kind = Light::Kind::directional;
     return {point, directional};
 }
 
-Camera defaultCamera(const Box& box, const Grid& grid) {
+Camera defaultCamera(const Box& box) {
     const double radius = diagonalOf(box) / 2;
     const double distance = kDefaultMargin * radius / std::sin(kDefaultFov / 2);
     const glm::dvec3 backward = glm::normalize(kDefaultView);
@@ -124,8 +122,8 @@ Camera defaultCamera(const Box& box, const Grid& grid) {
     camera.name = "default camera";
     camera.isDefault = true;
     camera.yfov = kDefaultFov;
-    camera.gridFromCamera = placed(looking(backward, {0, 1, 0}), centreOf(box) + distance * backward, grid);
-    camera.znear = (distance - radius) / 2 * grid.scale();
+    camera.gridFromCamera = placed(looking(backward, {0, 1, 0}), centreOf(box) + distance * backward);
+    camera.znear = (distance - radius) / 2;
     return camera;
 }
 
@@ -136,37 +134,32 @@ void loadLightsAndCameras(const tinygltf::Model& model, SceneFile::Data& data) {
     for (size_t i = 0; i < model.cameras.size(); ++i) data.cameras.push_back(readCamera(model.cameras[i], i));
 }
 
-std::vector<glm::dvec3> lightPositions(const SceneFile::Data& data, const Pose& pose) {
-    if (data.lightNodes.empty()) return {defaultPoint(data.firstFrame)};
-    std::vector<glm::dvec3> positions;
-    for (const uint32_t node : data.lightNodes)
-        if (data.lights[static_cast<size_t>(data.nodes[node].light)].kind != Light::Kind::directional) positions.emplace_back(pose.world[node][3]);
-    return positions;
-}
-
-std::vector<Light> lightsAt(const SceneFile::Data& data, const Pose& pose, const Grid& grid) {
-    if (data.lightNodes.empty()) return defaultLights(data.firstFrame, grid);
-    std::vector<Light> lights;
+std::vector<PlacedLight> lightsAt(const SceneFile::Data& data, const Pose& pose) {
+    if (data.lightNodes.empty()) return defaultLights(data.firstFrame);
+    std::vector<PlacedLight> lights;
     for (const uint32_t node : data.lightNodes) {
-        Light light = data.lights[static_cast<size_t>(data.nodes[node].light)];
-        const glm::dvec3 towards = unit(glm::dvec3(pose.world[node][2]), {0, 0, 1});  // it shines along the node's -z
-        light.homogeneous = light.kind == Light::Kind::directional ? glm::vec4(snapDirection(towards), 0.0f)
-                                                                   : glm::vec4(grid.snap(glm::dvec3(pose.world[node][3])), 1.0f);
-        light.axis = glm::vec3(-towards);
-        if (!data.nodes[node].name.empty()) light.name = data.nodes[node].name;
-        lights.push_back(std::move(light));
+        const glm::dmat4& world = pose.world[node];
+        PlacedLight placed{data.lights[static_cast<size_t>(data.nodes[node].light)], world[3], unit(world[2], {0, 0, 1})};  // it shines along -z
+        placed.light.axis = glm::vec3(-placed.towards);
+        if (!data.nodes[node].name.empty()) placed.light.name = data.nodes[node].name;
+        lights.push_back(std::move(placed));
     }
     return lights;
 }
 
-Camera cameraAt(const SceneFile::Data& data, const Pose& pose, const Grid& grid, uint32_t index) {
-    if (data.cameraNodes.empty()) return defaultCamera(data.firstFrame, grid);
+Camera cameraAt(const SceneFile::Data& data, const Pose& pose, uint32_t index) {
+    if (data.cameraNodes.empty()) return defaultCamera(data.firstFrame);
     const uint32_t node = data.cameraNodes[index];
     Camera camera = data.cameras[static_cast<size_t>(data.nodes[node].camera)];
     const glm::dmat4& world = pose.world[node];
-    camera.gridFromCamera = placed(looking(glm::dvec3(world[2]), glm::dvec3(world[1])), glm::dvec3(world[3]), grid);
-    for (double* length : {&camera.znear, &camera.zfar, &camera.xmag, &camera.ymag}) *length *= grid.scale();
+    camera.gridFromCamera = placed(looking(glm::dvec3(world[2]), glm::dvec3(world[1])), glm::dvec3(world[3]));
     if (!data.nodes[node].name.empty()) camera.name = data.nodes[node].name;
+    return camera;
+}
+
+Camera onGrid(Camera camera, const Grid& grid) {
+    camera.gridFromCamera[3] = glm::dvec4((glm::dvec3(camera.gridFromCamera[3]) - grid.origin) * grid.scale(), 1.0);
+    for (double* length : {&camera.znear, &camera.zfar, &camera.xmag, &camera.ymag}) *length *= grid.scale();
     return camera;
 }
 

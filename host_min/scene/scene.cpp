@@ -91,11 +91,15 @@ double SceneFile::lastKeyframe() const {
     return last;
 }
 
-Frame SceneFile::evaluate(uint32_t frame, uint32_t camera) const {
+Frame SceneFile::evaluate(uint32_t frame, uint32_t camera) const { return evaluate(frame, View{camera}); }
+
+Frame SceneFile::evaluate(uint32_t frame, const View& view) const {
     return withPath(data_->path, [&] {
-        if (camera >= cameraCount())
-            throw InputError(fmt::format("camera {} does not exist; the scene has {}, counted from 0", camera, cameraCount()));
-        return evaluateFrame(*data_, frame / kFramesPerSecond, camera);
+        if (view.camera >= cameraCount())
+            throw InputError(fmt::format("camera {} does not exist; the scene has {}, counted from 0", view.camera, cameraCount()));
+        if (view.light && *view.light >= lightCount())
+            throw InputError(fmt::format("light {} does not exist; the scene has {}, counted from 0", *view.light, lightCount()));
+        return evaluateFrame(*data_, frame / kFramesPerSecond, view);
     });
 }
 

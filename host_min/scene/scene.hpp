@@ -30,6 +30,8 @@ struct Light {
     float intensity = 1;
     float innerCone = 0, outerCone = 0.7853981634f;  ///< spot, radians, half angles; shading only
     bool isDefault = false;                          ///< made by us, because the file has no light
+    bool isFar = false;         ///< a point or spot light so far away that it is taken as directional; parallaxPixels says what that changes
+    double parallaxPixels = 0;  ///< of a far light: no boundary in the picture moves by more
 };
 
 struct Camera {
@@ -47,6 +49,26 @@ struct Camera {
     [[nodiscard]] glm::dvec4 viewer() const;
 };
 
+/// What a frame is evaluated for: the camera, the picture's size (what counts as a pixel), the lights that its grid has to hold.
+struct View {
+    uint32_t camera = 0;
+    uint32_t width = 1024, height = 1024;
+    std::optional<uint32_t> light = std::nullopt;  ///< this one only; all of them without it
+    std::optional<Grid> before = std::nullopt;     ///< the grid of the frame before: kept while it holds the scene and harms nothing
+};
+
+/// What putting positions on the grid does to a picture, measured on what its camera has before it (nothing is hidden by anything).
+struct GridHarm {
+    double movedPixels = 0;  ///< largest distance by which snapping moves a vertex, or a triangle that the picture's border cuts
+    double lightArcsec = 0;  ///< largest angle by which it turns the direction to a light that was asked for; seconds of arc
+    double reach = 0;        ///< how far the grid has to reach from its origin, world units
+    int forLight = -1;       ///< the light that it has to reach so far for; -1: triangles
+    bool changed = false;    ///< it is not the grid of View::before
+};
+
+inline constexpr double kHarmTold = 0.1, kHarmRefused = 1.0;  ///< pixels: from here on it is told, and refused
+inline constexpr double kFarParallax = 0.01;                  ///< pixels: below, a far light is taken as directional
+
 /// What was seen while loading that a user may want to know.
 struct SceneFacts {
     uint64_t trianglesInFile = 0;  ///< of all instances, before anything is left out
@@ -62,12 +84,14 @@ struct SceneFacts {
 /// One frame of a scene. All vectors with one entry per triangle have the same length and order.
 struct Frame {
     Grid grid;
+    GridHarm harm;
     std::vector<Triangle> triangles;          ///< on the grid, none with zero area
     std::vector<uint32_t> material;           ///< index into SceneFile::materials()
     std::vector<uint32_t> object;             ///< index of the mesh instance
     std::vector<uint32_t> surfaceOf;          ///< index into surfaces, or kOpaque; empty when all triangles are opaque
     std::vector<Surface> surfaces;            ///< of the triangles that are not
     std::shared_ptr<const MaterialSet> look;  ///< what surfaces refer to; null when all triangles are opaque
+    std::vector<uint8_t> oneSided;            ///< 1: the camera sees its front only (glTF's doubleSided is false); it casts from both sides
     std::vector<uint8_t> closed;              ///< 1: the triangle belongs to a closed, consistently oriented mesh (front-face culling is legal)
     std::vector<Light> lights;                ///< at least one
     Camera camera;                            ///< the chosen one
@@ -95,8 +119,11 @@ public:
     [[nodiscard]] uint32_t lightCount() const;                     ///< at least 1: defaults (0: point, 1: directional) when the file has none
     [[nodiscard]] double lastKeyframe() const;                     ///< seconds; 0 without animations
 
-    /// The scene at `frame` / kFramesPerSecond seconds (animations are clamped at their ends). Throws InputError when `camera` is out of
-    /// range, or an animated position is not finite.
+    /// The scene at `frame` / kFramesPerSecond seconds (animations are clamped at their ends). Throws InputError when the camera or the light is out
+    /// of range, or an animated position is not finite. Its grid is View::before's, or without one that of frame 0, as long as that holds all
+    /// that it has to and moves nothing by kHarmTold; else one of its own.
+    [[nodiscard]] Frame evaluate(uint32_t frame, const View& view) const;
+    /// The same for all lights and a picture of 1024 x 1024.
     [[nodiscard]] Frame evaluate(uint32_t frame, uint32_t camera) const;
 
     struct Data;  ///< opaque; host_min/scene's own files know it

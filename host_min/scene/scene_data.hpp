@@ -126,13 +126,52 @@ void placeVertices(const PrimitiveData& primitive, const std::vector<double>& we
                    const std::vector<glm::dmat4>& joints, std::vector<glm::dvec3>& out);
 // lights_cameras.cpp
 void loadLightsAndCameras(const tinygltf::Model& model, SceneFile::Data& data);
-std::vector<Light> lightsAt(const SceneFile::Data& data, const Pose& pose, const Grid& grid);
-Camera cameraAt(const SceneFile::Data& data, const Pose& pose, const Grid& grid, uint32_t camera);
-/// The world positions that the grid has to hold besides the triangles: of point and spot lights.
-std::vector<glm::dvec3> lightPositions(const SceneFile::Data& data, const Pose& pose);
+/// A light in world units. Light::homogeneous is not set.
+struct PlacedLight {
+    Light light;
+    glm::dvec3 position;  ///< of point and spot lights
+    glm::dvec3 towards;   ///< unit vector: against the direction in which it shines
+    [[nodiscard]] bool isPositional() const { return light.kind != Light::Kind::directional; }
+};
+std::vector<PlacedLight> lightsAt(const SceneFile::Data& data, const Pose& pose);
+/// A camera whose lengths and matrix (world from camera, in place of grid from camera) are in world units.
+Camera cameraAt(const SceneFile::Data& data, const Pose& pose, uint32_t camera);
+Camera onGrid(Camera camera, const Grid& grid);
 // evaluate.cpp
-Frame evaluateFrame(const SceneFile::Data& data, double seconds, uint32_t camera);
+Frame evaluateFrame(const SceneFile::Data& data, double seconds, const View& view);
 /// The world box of all triangles. Throws InputError when a position is not finite or exceeds kLargestNumber.
 Box triangleBox(const SceneFile::Data& data, const Pose& pose);
+// view_grid.cpp
+struct ViewGrid {
+    Grid grid;
+    GridHarm harm;
+    std::vector<Light> lights;  ///< all of the scene, on the grid
+};
+/// The grid for a view, what it does to the picture, and the lights on it. Throws InputError like triangleBox.
+ViewGrid chooseGrid(const SceneFile::Data& data, double seconds, const Pose& pose, const View& view);
+
+/// One mesh at one place.
+struct Instance {
+    uint32_t node;
+    const MeshData& mesh;
+    glm::dmat4 world;
+    const std::vector<glm::dmat4>& joints;  ///< empty without a skin
+    bool isMirrored;                        ///< its winding is flipped
+};
+
+/// Calls `use` with every Instance of the scene. A skin replaces its node's matrix; whether it mirrors, its first joint tells.
+template <typename Use>
+void forEachInstance(const SceneFile::Data& data, const Pose& pose, Use&& use) {
+    for (const uint32_t i : data.meshNodes) {
+        const NodeData& node = data.nodes[i];
+        std::vector<glm::dmat4> joints;
+        if (node.skin >= 0) joints = jointMatrices(data.skins[static_cast<size_t>(node.skin)], pose);
+        for (const glm::dmat4& instance : node.instances) {
+            const glm::dmat4 world = pose.world[i] * instance;
+            const bool isMirrored = glm::determinant(glm::dmat3(joints.empty() ? world : joints.front())) < 0;
+            use(Instance{i, data.meshes[static_cast<size_t>(node.mesh)], world, joints, isMirrored});
+        }
+    }
+}
 
 }  // namespace gno::host

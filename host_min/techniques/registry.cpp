@@ -69,7 +69,13 @@ const std::vector<SettingInfo>& frameSettings() {
          0,
          0,
          {"none", "front", "hull", "all"},
-         "none"}};
+         "none"},
+        {"grid",
+         "a picture that snapping positions to the grid moves by a pixel or more: refuse it (strict) or shade it (anyway)",
+         0,
+         0,
+         {"strict", "anyway"},
+         "strict"}};
     return list;
 }
 

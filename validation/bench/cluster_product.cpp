@@ -84,8 +84,7 @@ uint64_t printProduct(host::PassCache& passes, const ClusterJob& job) {
             std::vector<host::OracleSample> samples;
             for (const host::OracleSample& pixel : inputs.pixels())
                 if (pixel.own <= GNO_NO_CASTER) samples.push_back(pixel);
-            const std::vector<uint8_t> casters = inputs.definitionCasters();
-            const host::OracleAnswer answer = host::makeOracle()->ask({frame.triangles, casters, inputs.light(), samples}, [](double) {});
+            const host::OracleAnswer answer = host::makeOracle()->ask({frame.triangles, {}, inputs.light(), samples}, [](double) {});
             const std::string what = fmt::format("{} light {}", stem, light);
             for (const char* technique : {"d-hybrid", "forest", "light-bvh", "light-grid"})
                 check(inputs, answer, what, technique, {}, job.precision, sum);

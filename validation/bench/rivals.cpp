@@ -125,8 +125,7 @@ void measurePeer(const Subject& subject, const RivalJob& job, const Contestant& 
             samples.push_back(inputs.pixels()[i]);
             pixels.push_back(i);
         }
-    const study::PeerAnswer answer =
-        peerByName(who.name)->run({inputs.frame().triangles, inputs.definitionCasters(), inputs.light(), samples}, who.settings.front());
+    const study::PeerAnswer answer = peerByName(who.name)->run({inputs.frame().triangles, {}, inputs.light(), samples}, who.settings.front());
     cost.buildMs.push_back(answer.passes.front().ms);
     cost.queryMs.push_back(answer.passes.back().ms);
     if (!first) return;

@@ -17,7 +17,7 @@ std::vector<uint8_t> oracleMask(const host::FrameInputs& inputs) {
     std::vector<host::OracleSample> samples;
     for (const host::OracleSample& pixel : inputs.pixels())
         if (pixel.own <= GNO_NO_CASTER) samples.push_back(pixel);
-    return host::makeOracle()->ask({inputs.frame().triangles, inputs.definitionCasters(), inputs.light(), samples}, [](double) {}).inShadow;
+    return host::makeOracle()->ask({inputs.frame().triangles, {}, inputs.light(), samples}, [](double) {}).inShadow;
 }
 
 }  // namespace

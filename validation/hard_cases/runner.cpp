@@ -29,14 +29,14 @@ std::string describe(const test::Scene& scene, size_t sample, const host::Oracle
 }
 
 /// The oracle against the definition over 128-bit integers, every sample against every caster.
-std::string bruteForce(const test::Scene& scene, const std::vector<uint8_t>& isCaster, const host::OracleAnswer& answer) {
+std::string bruteForce(const test::Scene& scene, const host::OracleAnswer& answer) {
     std::vector<std::array<exact::Vec, 3>> casters;
     for (const Triangle& t : scene.triangles) casters.push_back({exact::fixed(t.a), exact::fixed(t.b), exact::fixed(t.c)});
     for (size_t i = 0; i < scene.samples.size(); ++i) {
         const exact::Vec p = exact::fixed(scene.samples[i].position);
         bool dark = false;
         for (size_t k = 0; k < casters.size() && !dark; ++k) {
-            if (k == scene.samples[i].own || (!isCaster.empty() && !isCaster[k])) continue;
+            if (k == scene.samples[i].own) continue;
             dark = exact::inShadowOf(scene.light, casters[k][0], casters[k][1], casters[k][2], p);
         }
         if (dark != (answer.inShadow[i] != 0)) return describe(scene, i, answer);
@@ -90,7 +90,9 @@ CaseResult runCase(const HardCase& hardCase, const RunnerOptions& options, const
         const bool claims =
             std::find(rungs.begin(), rungs.end(), host::Precision::certified) != rungs.end();  // a shadow map does not claim the definition
         if (!claims && !options.uncertified) continue;
-        for (const host::Precision precision : rungs) result.tallies.push_back({.technique = technique->info().name, .precision = precision});
+        for (const host::Precision precision : rungs)
+            if (!options.certifiedOnly || precision == host::Precision::certified)
+                result.tallies.push_back({.technique = technique->info().name, .precision = precision});
     }
 
     for (uint32_t sceneSeed = 1; sceneSeed <= hardCase.scenes; ++sceneSeed) {
@@ -98,17 +100,16 @@ CaseResult runCase(const HardCase& hardCase, const RunnerOptions& options, const
         const host::Frame frame = test::frameOf(scene);
         host::FrameInputs inputs(test::passes(), frame, scene.samples, scene.width);
         inputs.setLight(scene.light, scene.cull);
-        const std::vector<uint8_t> casters = inputs.definitionCasters();
         std::vector<host::OracleSample> asked(scene.samples);
         for (host::OracleSample& sample : asked)
             if (sample.own > host::kNoCaster) sample.own = host::kNoCaster;  // background, or facing away: nobody reads that answer
-        const host::OracleAnswer answer = host::makeOracle()->ask({scene.triangles, casters, scene.light, asked}, [](double) {});
+        const host::OracleAnswer answer = host::makeOracle()->ask({scene.triangles, {}, scene.light, asked}, [](double) {});
         result.triangles += scene.triangles.size();
         result.samples += scene.samples.size();
         result.inShadow += uint64_t(std::count(answer.inShadow.begin(), answer.inShadow.end(), uint8_t(1)));
         if (scene.triangles.size() * scene.samples.size() <= kBruteForceLimit) {
             result.bruteForced += scene.samples.size();
-            if (result.oracleWrong.empty()) result.oracleWrong = bruteForce(scene, casters, answer);
+            if (result.oracleWrong.empty()) result.oracleWrong = bruteForce(scene, answer);
         }
 
         const std::vector<uint32_t> seeds = insertionSeeds(hardCase, scene, std::max(1u, options.insertionSeeds / hardCase.scenes));

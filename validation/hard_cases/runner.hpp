@@ -31,6 +31,7 @@ struct CaseResult {
 struct RunnerOptions {
     uint32_t insertionSeeds = 8;  ///< per case; shared out among its scenes, at least one each
     bool counters = false;        ///< count visited nodes (by the instrumented shaders) as well
+    bool certifiedOnly = false;   ///< leave the other rungs out
     bool uncertified = false;     ///< run the techniques without a certified rung as well, to see how wrong they are
 };
 

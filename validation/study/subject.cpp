@@ -25,9 +25,11 @@ host::Precision precisionOf(const host::TechniqueInfo& info, const std::string& 
 }  // namespace
 
 Subject::Subject(host::PassCache& passes, const host::SceneFile& file, const Group& group, bool withSums, const Report& report)
-    : file_(file), group_(group), frame_(file.evaluate(group.frame, group.camera)), inputs_(passes, frame_, group.width, group.height) {
+    : file_(file),
+      group_(group),
+      frame_(file.evaluate(group.frame, host::View{group.camera, group.width, group.height, group.light})),
+      inputs_(passes, frame_, group.width, group.height) {
     inputs_.setLight(light().homogeneous, host::cullByName(group_.cull));
-    casters_ = inputs_.definitionCasters();
     samples_ = host::oracleSamples(inputs_);
     const std::unique_ptr<host::Oracle> oracle = host::makeOracle();
     answer_ = host::askOracle(*oracle, inputs_, withSums && inputs_.hasMaterials(), [&](double) { report("oracle", 0); });
@@ -36,7 +38,7 @@ Subject::Subject(host::PassCache& passes, const host::SceneFile& file, const Gro
 
 host::TechniqueResult Subject::run(const Variant& variant, const std::string& bestValue, bool counters) const {
     if (variant.peer) {
-        const PeerAnswer told = peerByName(variant.technique).run({frame_.triangles, casters_, inputs_.light(), samples_}, variant.precision);
+        const PeerAnswer told = peerByName(variant.technique).run({frame_.triangles, {}, inputs_.light(), samples_}, variant.precision);
         host::TechniqueResult result;
         size_t sample = 0;
         for (const host::OracleSample& pixel : inputs_.pixels())

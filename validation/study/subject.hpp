@@ -38,7 +38,6 @@ private:
     host::Frame frame_;
     host::FrameInputs inputs_;
     host::OracleAnswer answer_;
-    std::vector<uint8_t> casters_;
     std::vector<host::OracleSample> samples_;
     std::optional<std::vector<int64_t>> opaqueDistances_, sumDistances_;  ///< made when somebody is wrong
 };

@@ -58,8 +58,7 @@ host::OracleAnswer ask(const Scene& scene) {
     const host::Frame frame = frameOf(scene);
     host::FrameInputs inputs(passes(), frame, scene.samples, scene.width);
     inputs.setLight(scene.light, scene.cull);
-    const std::vector<uint8_t> casters = inputs.definitionCasters();
-    return host::makeOracle()->ask({scene.triangles, casters, scene.light, scene.samples}, [](double) {});
+    return host::makeOracle()->ask({scene.triangles, {}, scene.light, scene.samples}, [](double) {});
 }
 
 Wrong compare(const host::TechniqueResult& got, const host::OracleAnswer& want, std::span<const host::OracleSample> samples) {

@@ -220,7 +220,7 @@ TEST(Geometry, FarFromTheOriginNothingChanges) {
     const Frame one = frameOf(near), other = frameOf(away);
     ASSERT_EQ(one.triangles.size(), other.triangles.size());
     EXPECT_EQ(one.grid.exponent, other.grid.exponent);
-    EXPECT_EQ(other.grid.centre - one.grid.centre, glm::dvec3(far, -far, 2 * far));
+    EXPECT_EQ(other.grid.origin - one.grid.origin, glm::dvec3(far, -far, 2 * far));
     for (size_t i = 0; i < one.triangles.size(); ++i) {
         EXPECT_EQ(one.triangles[i].a, other.triangles[i].a);
         EXPECT_EQ(one.triangles[i].b, other.triangles[i].b);

@@ -81,7 +81,7 @@ TEST(Grid, HoldsItsBoxWithRoomAndWithoutWaste) {
         const Grid grid = Grid::around(glm::min(one, other), glm::max(one, other));
         double largest = 0;
         for (const glm::dvec3& corner : {one, other})
-            for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs((corner[axis] - grid.centre[axis]) * grid.scale()));
+            for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs((corner[axis] - grid.origin[axis]) * grid.scale()));
         ASSERT_LE(largest, 1 - 1.0 / 1024 + 0x1p-17 + 1e-12);
         ASSERT_GT(largest, 0.5 - 1.0 / 1024 - 0x1p-17);
         ASSERT_EQ(grid.scale(), std::ldexp(1.0, -grid.exponent));

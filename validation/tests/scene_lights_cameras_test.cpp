@@ -130,7 +130,7 @@ Builder withCamera(const Json& camera, Json node) {
 }
 
 glm::dvec3 ndc(const Frame& frame, glm::dvec3 worldPosition, double aspect) {
-    const glm::dvec3 onGrid = (worldPosition - frame.grid.centre) * frame.grid.scale();
+    const glm::dvec3 onGrid = (worldPosition - frame.grid.origin) * frame.grid.scale();
     const glm::dvec4 clip = frame.camera.clipFromGrid(aspect) * glm::dvec4(onGrid, 1.0);
     EXPECT_GT(clip.w, 0);
     return glm::dvec3(clip) / clip.w;

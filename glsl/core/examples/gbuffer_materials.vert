@@ -1,0 +1,6 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// G-buffer where some casters are alpha-tested or coloured: corners of all casters.
+#define GNO_EXAMPLE_MATERIALS 1
+#include "gbuffer_vert.glsl"
