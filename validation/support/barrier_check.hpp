@@ -50,6 +50,7 @@ struct UnseenBarrier {
     uint32_t number;  ///< Pass::number, or kAnyNumber: of all passes of this shader
     Before bit;
     std::string_view reason;  ///< why the bit is right all the same
+    bool elsewhere = false;   ///< in other lists, or at other passes of this shader, it is seen, or there is no such pass
 };
 
 /// How many messages two frames of this list bring; they are recorded and not run.

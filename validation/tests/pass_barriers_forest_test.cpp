@@ -12,6 +12,28 @@
 namespace gno {
 namespace {
 
+/// What the layer (1.3.239) says nothing of, here or in one of the lists: it reports no write after a write between descriptors, and takes an atomic
+/// for a read.
+constexpr std::string_view kAtomics = "what came before changed the same words by atomics only, or wrote beside what is read";
+constexpr std::string_view kInPlace = "it changes in place what the pass before wrote";
+constexpr std::string_view kCounts = "the counts of the indirect dispatch were made by atomics";
+
+using test::UnseenBarrier, test::kAnyNumber;
+const std::vector<UnseenBarrier> kUnseen{{"forest/examples/assign_many.comp", kAnyNumber, kBeforeShaders, kAtomics, true},
+                                         {"forest/examples/assign_many.comp", kAnyNumber, kBeforeIndirect, kCounts, true},
+                                         {"forest/examples/assign_some.comp", kAnyNumber, kBeforeShaders, kAtomics, true},
+                                         {"forest/examples/assign_some.comp", kAnyNumber, kBeforeIndirect, kCounts, true},
+                                         {"forest/examples/assign_few.comp", kAnyNumber, kBeforeShaders, kAtomics, true},
+                                         {"forest/examples/sort.comp", kAnyNumber, kBeforeShaders, kInPlace, true},
+                                         {"forest/examples/set_up.comp", kAnyNumber, kBeforeIndirect, kCounts, true},
+                                         {"rivals/examples/light_grid_allocate.comp", kAnyNumber, kBeforeShaders, kInPlace, true},
+                                         {"rivals/examples/light_grid_allocate.comp", kAnyNumber, kBeforeIndirect, kCounts, true},
+                                         {"rivals/examples/light_grid_depth.comp", kAnyNumber, kBeforeShaders, kInPlace, true},
+                                         {"rivals/examples/light_grid_pairs.comp", kAnyNumber, kBeforeShaders, kAtomics, true},
+                                         {"rivals/examples/light_grid_pairs.comp", kAnyNumber, kBeforeIndirect, kCounts, true},
+                                         {"rivals/examples/light_grid_planes.comp", kAnyNumber, kBeforeShaders, kAtomics, true},
+                                         {"rivals/examples/light_grid_sort.comp", kAnyNumber, kBeforeIndirect, kCounts, true}};
+
 void expectForest(bool directional, bool viewCull, bool cover, std::span<const test::UnseenBarrier> unseen) {
     SCOPED_TRACE(std::string(directional ? "directional" : "point") + (viewCull ? ", view cull" : "") + (cover ? ", cover" : ""));
     const test::SmallFrame frame(directional);
@@ -25,9 +47,8 @@ void expectForest(bool directional, bool viewCull, bool cover, std::span<const t
 }
 
 TEST(PassBarriers, Forest) {
-    const std::vector<test::UnseenBarrier> unseen;
     for (const bool viewCull : {false, true})
-        for (const bool cover : {false, true}) expectForest(viewCull != cover, viewCull, cover, unseen);
+        for (const bool cover : {false, true}) expectForest(viewCull != cover, viewCull, cover, kUnseen);
 }
 
 void expectLightGrid(bool viewCull, bool cover, uint32_t nest, std::span<const test::UnseenBarrier> unseen) {
@@ -45,9 +66,8 @@ void expectLightGrid(bool viewCull, bool cover, uint32_t nest, std::span<const t
 }
 
 TEST(PassBarriers, LightGrid) {
-    const std::vector<test::UnseenBarrier> unseen;
-    for (const bool viewCull : {false, true}) expectLightGrid(viewCull, viewCull, 8, unseen);
-    expectLightGrid(true, true, 0, unseen);
+    for (const bool viewCull : {false, true}) expectLightGrid(viewCull, viewCull, 8, kUnseen);
+    expectLightGrid(true, true, 0, kUnseen);
 }
 
 }  // namespace

@@ -31,6 +31,14 @@
 namespace gno {
 namespace {
 
+/// Of an embedded shader: read once.
+const std::map<std::string, test::Access>& accessesOf(std::span<const uint32_t> embedded) {
+    static std::map<const uint32_t*, std::map<std::string, test::Access>> known;
+    const auto [entry, isNew] = known.try_emplace(embedded.data());
+    if (isNew) entry->second = test::accessesOf(embedded);
+    return entry->second;
+}
+
 /// What a technique's host walks in a frame.
 struct Row {
     std::string name;
@@ -201,7 +209,7 @@ private:
             return fault("{}: no such shader", shader);
         }
         checkConstants(pass, spirv);
-        const auto bindings = test::accessesOf(spirv);
+        const auto& bindings = accessesOf(spirv);
         std::set<std::string> written, stored;
         std::map<std::string, std::string> names;  // in the shader -> array
         for (const auto& [name, access] : bindings) names[name] = name;
@@ -220,7 +228,7 @@ private:
         if (pass.kind == PassKind::depth && written.empty()) return fault("{}: it does not say what it draws", shader);
         if (pass.kind == PassKind::depth) written.erase(written.begin());
         if (written != stored) fault("{}: says that it writes {}, and writes {}", shader, written, stored);
-        for (const auto& [name, access] : test::accessesOf(counting)) {
+        for (const auto& [name, access] : accessesOf(counting)) {
             if (kCounting.contains(name)) continue;
             if (!bindings.contains(name)) fault("{}: binds {} when it counts", shader, name);
             if (access.writes() && !stored.contains(name)) fault("{}: writes {} when it counts", shader, name);
