@@ -6,8 +6,8 @@
 //   int  gnoCasterFacing(uint state)                    facing of a kept caster, 0 of one that is left out
 //
 // Front-face culling drops what faces the light, where `closed` says that nobody misses it: legal for closed, consistently oriented, wholly opaque
-// meshes that neither camera nor near plane enters, where it changes no view sample's answer. Hull culling drops what lies outside the convex hull of view frustum and light; it never changes a
-// view sample:
+// meshes that neither camera nor near plane enters, where it changes no view sample's answer. Hull culling drops what lies outside the convex hull
+// of view frustum and light; it never changes a view sample:
 // a caster goes only when it is outside one plane of that hull by more than the plane's own margin.
 //
 // Space      casters and light on the scene grid; front = counter-clockwise seen from the light

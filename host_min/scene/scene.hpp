@@ -67,7 +67,8 @@ struct GridHarm {
 };
 
 inline constexpr double kHarmTold = 0.1, kHarmRefused = 1.0;  ///< pixels: from here on it is told, and refused
-inline constexpr double kFarParallax = 0.01;                  ///< pixels: below, a far light is taken as directional
+inline constexpr double kFarParallax = 0.01;                  ///< pixels: below, a far light is taken as directional,
+inline constexpr double kFarTurn = 1e-5;                      ///< when no direction to it differs by more than this, radians, from that
 
 /// What was seen while loading that a user may want to know.
 struct SceneFacts {

@@ -141,14 +141,15 @@ public:
         return most;
     }
     /// Largest distance, pixels, by which a boundary of a shadow moves when a light at `light` becomes one in the direction in which `focus` sees
-    /// it; infinite when a caster in the box might stand behind the light.
+    /// it; infinite when a caster in the box might stand behind the light, or when that turns it by more than kFarTurn: surfaces would face it otherwise.
     [[nodiscard]] double parallax(dvec3 light, dvec3 focus, const Box& casters) const {
         const dvec3 fixed = direction(light - focus);
         double most = 0;
         forEach([&](dvec3 p) {
             const double length = glm::length(light - p), throughBox = leaves(casters, p, fixed);
-            const double moved = glm::length((light - p) / length - fixed) * throughBox / picture_.pixelAt(picture_.seen(p));
-            most = throughBox < length / 2 ? std::max(most, moved) : std::numeric_limits<double>::infinity();
+            const double turned = glm::length((light - p) / length - fixed);
+            const bool isFar = turned <= kFarTurn && throughBox < length / 2;
+            most = std::max(most, isFar ? turned * throughBox / picture_.pixelAt(picture_.seen(p)) : std::numeric_limits<double>::infinity());
         });
         return most;
     }

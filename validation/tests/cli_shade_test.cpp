@@ -51,8 +51,9 @@ std::vector<Json> shade(const Stage& stage, std::vector<std::string> arguments) 
 }
 
 void expectContract(const Json& record, bool checked) {
-    Names keys{"schema",  "scene",     "frame",   "light",  "technique", "precision", "settings", "device",   "size",       "triangles", "casters",
-               "samples", "in_shadow", "unknown", "passes", "total_ms",  "floor_ms",  "bytes",    "counters", "host_waits", "reruns",    "effects"};
+    Names keys{"schema",   "scene",    "frame",     "light",    "technique",  "precision", "settings", "device",
+               "size",     "grid",     "triangles", "casters",  "samples",    "in_shadow", "unknown",  "passes",
+               "total_ms", "floor_ms", "bytes",     "counters", "host_waits", "reruns",    "effects"};
     if (checked) keys.insert("check");
     EXPECT_EQ(keysOf(record), keys);
     EXPECT_EQ(keysOf(record["device"]), (Names{"name", "driver", "subgroup"}));
@@ -364,6 +365,7 @@ TEST(Shade, Culling) {
     const auto [front, frontRecord] = fan({"cull=front"});
     const auto [all, allRecord] = fan({"cull=all"});
     EXPECT_EQ(none, hull);  // drops nothing that matters
+    EXPECT_EQ(none, front);
     EXPECT_EQ(front, all);
     const auto casters = [](const Json& record) { return record["casters"].get<uint64_t>(); };
     EXPECT_LE(casters(hullRecord), casters(noneRecord));

@@ -57,12 +57,12 @@ std::string cell(const std::vector<std::vector<std::string>>& cells, std::size_t
 
 TEST(OutputRecord, HasTheKeysOfTheContractInTheirOrder) {
     Record record = sample("d-hybrid", 12.3, 45.6);
-    Names top = {"schema",  "scene",     "frame",   "light",  "technique", "precision", "settings", "device",     "size",   "triangles", "casters",
-                 "samples", "in_shadow", "unknown", "passes", "total_ms",  "bytes",     "counters", "host_waits", "reruns", "effects"};
+    Names top = {"schema",  "scene",   "frame",     "light",   "technique", "precision", "settings", "device",   "size",       "grid",   "triangles",
+                 "casters", "samples", "in_shadow", "unknown", "passes",    "total_ms",  "bytes",    "counters", "host_waits", "reruns", "effects"};
     EXPECT_EQ(keys(ordered_json::parse(toJsonLine(record))), top);
     record.check = RecordCheck{2000, 3, 2, 1, 0, 5};
     record.floorMs = 7.5;
-    top.insert(top.begin() + 16, "floor_ms");
+    top.insert(top.begin() + 17, "floor_ms");
     top.insert(top.end() - 1, "check");
     const std::string line = toJsonLine(record);
     EXPECT_EQ(line.find('\n'), std::string::npos);

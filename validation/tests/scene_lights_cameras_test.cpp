@@ -72,14 +72,17 @@ TEST(Lights, InstancesComeInNodeOrderAndOnlyFromTheScene) {
     EXPECT_EQ(frame.lights[1].name, "two");
 }
 
-TEST(Lights, AFarLightFitsOnTheGrid) {
+TEST(Lights, AFarLightFitsOnTheGridOrIsDirectional) {
     Builder builder;
     builder.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
     builder.meshNode(kTriangle);
-    builder.node(lightNode(0, {{"translation", {1e5, 0, 0}}}));
+    builder.node(lightNode(0, {{"translation", {1e4, 0, 0}}}));
     const Frame frame = frameOf(builder);
     EXPECT_LE(std::abs(frame.lights[0].homogeneous.x), 1.0f);
-    expectNear(frame.grid.world(glm::vec3(frame.lights[0].homogeneous)), {1e5, 0, 0}, 1e-2);
+    expectNear(frame.grid.world(glm::vec3(frame.lights[0].homogeneous)), {1e4, 0, 0}, 1e-2);
+    builder.json["nodes"][1]["translation"] = {1e6, 0, 0};
+    EXPECT_TRUE(frameOf(builder).lights[0].isFar);
+    EXPECT_EQ(frameOf(builder).lights[0].homogeneous.w, 0.0f);
 }
 
 TEST(Defaults, LightsFollowTheirFormulas) {

@@ -81,7 +81,7 @@ TEST(ViewGrid, ALightMayStandAnywhere) {
         EXPECT_LT(frame.harm.lightArcsec, 0.1);
         const Light& light = frame.lights[0];
         EXPECT_EQ(light.isFar, light.homogeneous.w == 0);
-        EXPECT_EQ(light.isFar, exponent >= 5) << light.parallaxPixels;
+        EXPECT_EQ(light.isFar, exponent >= 6) << light.parallaxPixels;
         if (light.isFar) {
             EXPECT_LT(light.parallaxPixels, kFarParallax);
             EXPECT_LT(frame.grid.exponent, 6);
