@@ -25,9 +25,7 @@ gnomon_add_device_test(permutation_test TIMEOUT 120)
 gnomon_test_shader(permutation_test GNOMON_PERMUTATION_SPIRV ${PROJECT_SOURCE_DIR}/validation/drop_in/core_permutation_list.comp)
 gnomon_add_device_test(sample_device_test TIMEOUT 120)
 gnomon_test_shader(sample_device_test GNOMON_SAMPLE_SPIRV ${PROJECT_SOURCE_DIR}/validation/drop_in/core_sample_list.comp)
-# A draft: it finds samples that differ. Built by `ninja sample_from_depth_test`, run by hand, until it holds.
-add_executable(sample_from_depth_test EXCLUDE_FROM_ALL sample_from_depth_test.cpp)
-target_link_libraries(sample_from_depth_test PRIVATE gnomon_flags gnomon_device_test)
+gnomon_add_device_test(sample_from_depth_test RASTERISES)
 target_compile_definitions(sample_from_depth_test PRIVATE GNOMON_SCENES_DIR="${PROJECT_SOURCE_DIR}/scenes")
 
 # The queries that look for what should not happen; what they count stands where others count nodes and stack entries.

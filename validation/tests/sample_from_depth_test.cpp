@@ -147,15 +147,23 @@ void eachPicture(const What& what) {
     }
 }
 
+// At the same places, none differs from the run with ids: a sample's own caster never darkens it. At the places of the run with ids a few per mille
+// do: a boundary of a shadow runs between the two places, which lie up to three errors of the depth buffer apart.
 TEST(SampleFromDepth, AnswersAsWithAnId) {
     eachPicture([](const std::string& name, const host::Frame& frame, const host::FrameInputs& drawn) {
         const Picture withId = ask(drawn, "d-hybrid", host::Precision::certified);
         for (const DepthFormat format : {DepthFormat::d32, DepthFormat::d24}) {
             const Samples samples = samplesFromDepth(drawn, frame, drawn.light(), format);
             const Picture without = ask(frame, samples, drawn.width(), drawn.light(), "d-hybrid", host::Precision::certified);
+            Samples named = samples;
+            for (size_t i = 0; i < named.size(); ++i)
+                if (named[i].own == GNO_NO_CASTER) named[i].own = drawn.pixels()[i].own;
+            const Picture samePlaces = ask(frame, named, drawn.width(), drawn.light(), "d-hybrid", host::Precision::certified);
+            EXPECT_EQ(differenceOf(samePlaces, without).answers, 0u);
+            EXPECT_EQ(differenceOf(samePlaces, without).facing, 0u);
             const Difference difference = differenceOf(withId, without);
             EXPECT_GT(difference.samples, 500u);
-            EXPECT_EQ(difference.answers, 0u);
+            EXPECT_LE(difference.answers, difference.samples / 250);
             EXPECT_EQ(difference.facing, 0u);
             fmt::print("{} {}: {} samples, {} answers and {} facings differ; nodes a sample {:.2f} for {:.2f}, exact calls {:.3f} for {:.3f}\n",
                        name, format == DepthFormat::d24 ? "D24" : "D32", difference.samples, difference.answers, difference.facing,
@@ -211,9 +219,9 @@ TEST(SampleFromDepth, EveryTechniqueCanBeAsked) {
     host::FrameInputs drawn(test::passes(), frame, 96, 64);
     drawn.setLight(frame.lights.at(0).homogeneous, host::Cull::none);
     const Samples samples = samplesFromDepth(drawn, frame, drawn.light(), DepthFormat::d32);
-    const Picture want = ask(drawn, "d-hybrid", host::Precision::certified);
+    const Picture want = ask(frame, samples, drawn.width(), drawn.light(), "d-hybrid", host::Precision::certified);
     for (const auto precision : {host::Precision::conservative, host::Precision::certified})
-        for (const char* technique : {"d-stackless", "forest", "light-grid", "light-bvh"})
+        for (const char* technique : {"psv", "d-stackless", "forest", "light-grid", "light-bvh", "ptsv"})
             EXPECT_EQ(differenceOf(want, ask(frame, samples, drawn.width(), drawn.light(), technique, precision)).answers, 0u) << technique;
 }
 
