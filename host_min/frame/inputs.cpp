@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "glsl/top/node.h"
 #include "host_min/error.hpp"
@@ -30,6 +31,25 @@ std::vector<uint32_t> packed(std::span<const uint8_t> flags, size_t triangles) {
 vk::BufferUsageFlags casterUsage(const DeviceFacts& device) {
     const vk::BufferUsageFlags usage = vk::BufferUsageFlagBits::eStorageBuffer;
     return device.rayQuery ? usage | AccelerationStructure::kInputUsage : usage;
+}
+
+/// The camera with its near and far plane moved to the box of all triangles where that lies inside of them: of a distant, narrow view the depth
+/// buffer then tells the scene's parts from each other. Nothing is clipped that was not.
+Camera tightened(Camera camera, const Frame& frame) {
+    double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+    const glm::dvec3 backward(camera.gridFromCamera[2]), place(camera.gridFromCamera[3]);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 at((corner & 1 ? frame.high : frame.low).x, (corner & 2 ? frame.high : frame.low).y,
+                            (corner & 4 ? frame.high : frame.low).z);
+        const double depth = glm::dot(backward, place - at);
+        nearest = std::min(nearest, depth);
+        farthest = std::max(farthest, depth);
+    }
+    const double room = 1e-3 * (farthest - nearest) + 1e-6 * std::abs(farthest);
+    if (!(farthest > camera.znear)) return camera;  // nothing before it
+    camera.znear = std::max(camera.znear, nearest - room);
+    camera.zfar = camera.zfar > 0 ? std::min(camera.zfar, farthest + room) : farthest + room;
+    return camera;
 }
 
 }  // namespace
@@ -82,8 +102,10 @@ FrameInputs::FrameInputs(PassCache& passes, const Frame& frame, std::span<const 
     samples_.upload(std::as_bytes(std::span(texels)));
 }
 
+glm::dmat4 FrameInputs::clipFromGrid() const { return tightened(frame_.camera, frame_).clipFromGrid(double(width_) / height_); }
+
 void FrameInputs::rasterise() {
-    const glm::mat4 clip(frame_.camera.clipFromGrid(double(width_) / height_));
+    const glm::mat4 clip(clipFromGrid());
     camera_.upload(std::span(&clip, 1));
 
     const std::array formats{positions_.format(), normals_.format(), primitives_.format()};

@@ -50,6 +50,8 @@ public:
     [[nodiscard]] const Image& normals() const { return normals_; }
     [[nodiscard]] const Image& primitives() const { return primitives_; }
     [[nodiscard]] const Image& depth() const { return depth_; }
+    /// What the G-buffer was drawn with: the camera's, its near and far plane drawn close about the scene.
+    [[nodiscard]] glm::dmat4 clipFromGrid() const;
     [[nodiscard]] ExamplePush push(uint32_t seed = 0) const;
     /// Casters, states and samples by their names in the shaders, behind `others`.
     [[nodiscard]] std::vector<Binding> withCasters(std::vector<Binding> others) const;

@@ -155,7 +155,8 @@ TEST(FrontCull, DropsOnlyWhatNobodyMisses) {
                  {"outside, its near plane cuts a face", Cube({0.5, 0.5, 1.4}, Json::object(), 0.5), false},
                  {"outside, its near plane ends before the face", Cube({0.5, 0.5, 1.4}, Json::object(), 0.3), true},
                  {"outside, its near plane lies inside", Cube({0.5, 0.5, 1.02}, Json::object(), 0.1), false},
-                 {"glass", Cube({0.5, 0.5, 3}, glass), false}};
+                 {"glass", Cube({0.5, 0.5, 3}, glass), false},
+                 {"alpha-tested", Cube({0.5, 0.5, 3}, {{"alphaMode", "MASK"}}), false}};
     for (const auto& each : cases) {
         SCOPED_TRACE(each.name);
         const host::Frame frame = host::test::frameOf(each.cube);

@@ -43,14 +43,14 @@ std::vector<float> depthsOf(const host::FrameInputs& drawn, DepthFormat format) 
 }
 
 /// The samples of the drawn picture, made by the example shader from depth and normal.
-Samples samplesFromDepth(const host::FrameInputs& drawn, const host::Frame& frame, glm::vec4 light, DepthFormat format) {
+Samples samplesFromDepth(const host::FrameInputs& drawn, glm::vec4 light, DepthFormat format) {
     const host::Device& device = drawn.device();
     host::Image depths(device, drawn.width(), drawn.height(), vk::Format::eR32Sfloat);
     host::Image samples(device, drawn.width(), drawn.height(), vk::Format::eR32G32B32A32Uint);
     depths.clear(vk::ClearColorValue(0.f, 0.f, 0.f, 0.f));
     samples.clear(vk::ClearColorValue(77u, 77u, 77u, 77u));
     depths.upload(std::as_bytes(std::span<const float>(depthsOf(drawn, format))));
-    const Unprojection unprojection{glm::mat4(glm::inverse(frame.camera.clipFromGrid(double(drawn.width()) / drawn.height()))),
+    const Unprojection unprojection{glm::mat4(glm::inverse(drawn.clipFromGrid())),
                                     format == DepthFormat::d24 ? GNO_DEPTH_STEP_D24 : GNO_DEPTH_STEP_D32,
                                     256,  // lavapipe's subPixelPrecisionBits are 8
                                     {}};
@@ -153,7 +153,7 @@ TEST(SampleFromDepth, AnswersAsWithAnId) {
     eachPicture([](const std::string& name, const host::Frame& frame, const host::FrameInputs& drawn) {
         const Picture withId = ask(drawn, "d-hybrid", host::Precision::certified);
         for (const DepthFormat format : {DepthFormat::d32, DepthFormat::d24}) {
-            const Samples samples = samplesFromDepth(drawn, frame, drawn.light(), format);
+            const Samples samples = samplesFromDepth(drawn, drawn.light(), format);
             const Picture without = ask(frame, samples, drawn.width(), drawn.light(), "d-hybrid", host::Precision::certified);
             Samples named = samples;
             for (size_t i = 0; i < named.size(); ++i)
@@ -179,7 +179,7 @@ TEST(SampleFromDepth, LiesInFrontOfItsOwnCaster) {
     eachPicture([](const std::string&, const host::Frame& frame, const host::FrameInputs& drawn) {
         const std::vector<uint32_t> primitives = drawn.primitives().downloadAs<uint32_t>();
         for (const DepthFormat format : {DepthFormat::d32, DepthFormat::d24}) {
-            const Samples samples = samplesFromDepth(drawn, frame, drawn.light(), format);
+            const Samples samples = samplesFromDepth(drawn, drawn.light(), format);
             size_t behind = 0, far = 0, asked = 0;
             for (size_t i = 0; i < samples.size(); ++i) {
                 if (samples[i].own != GNO_NO_CASTER || drawn.pixels()[i].own > GNO_NO_CASTER) continue;
@@ -218,7 +218,7 @@ TEST(SampleFromDepth, EveryTechniqueCanBeAsked) {
     const host::Frame frame = file.evaluate(0, 0);
     host::FrameInputs drawn(test::passes(), frame, 96, 64);
     drawn.setLight(frame.lights.at(0).homogeneous, host::Cull::none);
-    const Samples samples = samplesFromDepth(drawn, frame, drawn.light(), DepthFormat::d32);
+    const Samples samples = samplesFromDepth(drawn, drawn.light(), DepthFormat::d32);
     const Picture want = ask(frame, samples, drawn.width(), drawn.light(), "d-hybrid", host::Precision::certified);
     for (const auto precision : {host::Precision::conservative, host::Precision::certified})
         for (const char* technique : {"psv", "d-stackless", "forest", "light-grid", "light-bvh", "ptsv"})
