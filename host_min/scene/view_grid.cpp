@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Where a frame's grid has its origin, which lights are so far away that they count as directional, and what snapping does to the picture.
 //
-// fp32 is finest near the origin, so it lies where the picture is: at the view's focus, the median of what the camera has before it. All lengths in
-// pixels are first order: a small move, seen from the camera, over the size of a pixel at that depth.
+// fp32 is finest near the origin, so it lies where the picture is: as near the view's focus, the median of what the camera has before it, as the
+// smallest grid that holds the scene allows (bands of directional lights are as wide as the grid), and at the focus itself when that is not fine
+// enough. All lengths in pixels are first order: a small move, seen from the camera, over the size of a pixel at that depth.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,8 +17,8 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kFocusIsFine = kHarmTold / 10;  // pixels: the focus is taken unless it moves a vertex by more
-constexpr size_t kMostForFocus = 1 << 16;        // points of which the median is taken
+constexpr double kIsFine = kHarmTold / 10;  // pixels: what moves a vertex by no more is fine enough
+constexpr size_t kMostForFocus = 1 << 16;   // points of which the median is taken
 constexpr double kArcsec = 180 * 3600 / std::numbers::pi;
 
 /// The picture in camera space (world units; x right, y up, looking along -z).
@@ -141,7 +142,8 @@ public:
         return most;
     }
     /// Largest distance, pixels, by which a boundary of a shadow moves when a light at `light` becomes one in the direction in which `focus` sees
-    /// it; infinite when a caster in the box might stand behind the light, or when that turns it by more than kFarTurn: surfaces would face it otherwise.
+    /// it; infinite when a caster in the box might stand behind the light, or when that turns it by more than kFarTurn: surfaces would face it
+    /// otherwise.
     [[nodiscard]] double parallax(dvec3 light, dvec3 focus, const Box& casters) const {
         const dvec3 fixed = direction(light - focus);
         double most = 0;
@@ -254,10 +256,10 @@ public:
     [[nodiscard]] bool isGood(const Grid& grid) const { return grid.holds(held_.low, held_.high) && before_.moved(grid) < kHarmTold; }
 
     [[nodiscard]] Grid choose() const {
-        Grid best = Grid::at(focus_, held_.low, held_.high);
+        Grid best = smallest();
         double least = before_.moved(best);
-        if (least <= kFocusIsFine) return best;
-        for (const Grid& other : {Grid::at(picture_.place(), held_.low, held_.high), Grid::around(held_.low, held_.high)}) {
+        if (least <= kIsFine) return best;
+        for (const Grid& other : {Grid::at(focus_, held_.low, held_.high), Grid::at(picture_.place(), held_.low, held_.high)}) {
             const double moved = before_.moved(other);
             if (!(moved < least)) continue;
             least = moved;
@@ -298,6 +300,19 @@ public:
     }
 
 private:
+    /// Of the grids with the smallest exponent the one whose origin is nearest to the focus.
+    [[nodiscard]] Grid smallest() const {
+        const Grid middle = Grid::around(held_.low, held_.high);
+        const double reach = std::ldexp(1 - 2.0 / 1024, middle.exponent);  // with a little more room than Grid::at wants
+        dvec3 origin;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double from = held_.high[axis] - reach, to = held_.low[axis] + reach;
+            origin[axis] = from <= to ? std::clamp(focus_[axis], from, to) : middle.origin[axis];
+        }
+        const Grid grid = Grid::at(origin, held_.low, held_.high);
+        return grid.exponent <= middle.exponent ? grid : middle;
+    }
+
     Box box_;
     Camera camera_;
     Picture picture_;
