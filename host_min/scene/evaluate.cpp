@@ -119,6 +119,10 @@ Frame evaluateFrame(const SceneFile::Data& data, double seconds, const View& vie
     if (!frame.surfaces.empty()) frame.look = data.look;
     frame.facts.duplicates = countDuplicates(frame.triangles);
     frame.camera = onGrid(cameraAt(data, pose, view.camera), frame.grid);
+    constexpr double kNarrowest = 0x1p-30;  // some thousand steps of the grid, which all pixels would have to share
+    if (!frame.camera.perspective && frame.camera.ymag < kNarrowest)
+        throw InputError(fmt::format("camera {}: its ymag is too small for this scene, whose positions it would not tell apart", view.camera));
+    for (std::string& notice : frameNotices(data, pose, frame)) frame.facts.notices.push_back(std::move(notice));
     frame.low = frame.high = frame.triangles.front().a;
     for (const Triangle& t : frame.triangles) {
         frame.low = glm::min(frame.low, glm::min(t.a, glm::min(t.b, t.c)));

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "host_min/scene/material.hpp"
+#include "host_min/scene/notices.hpp"
 
 namespace gno::host {
 
@@ -27,8 +28,8 @@ struct TextureTransform {
 /// All functions throw InputError.
 class Textures {
 public:
-    /// `lists`: the file's images, textures and samplers as JSON (guardJson). `model` and `lists` must outlive this.
-    Textures(const tinygltf::Model& model, const nlohmann::json& lists, std::filesystem::path folder);
+    /// `lists`: the file's images, textures and samplers as JSON (guardJson). `model`, `lists` and `notices` must outlive this.
+    Textures(const tinygltf::Model& model, const nlohmann::json& lists, std::filesystem::path folder, Notices& notices);
 
     /// The material that a primitive names, -1 for the default one, with its image loaded if it needs one. Returns its number.
     uint32_t use(int material);
@@ -41,14 +42,17 @@ public:
     [[nodiscard]] std::array<glm::ivec2, 3> corners(uint32_t number, const std::array<glm::dvec2, 3>& uv) const;
 
     /// What was read, once all primitives have asked.
-    [[nodiscard]] std::shared_ptr<const MaterialSet> take() { return std::move(set_); }
+    [[nodiscard]] std::shared_ptr<const MaterialSet> take();
 
 private:
     struct Place {
         int texture = -1, set = 0;
         TextureTransform transform;
         bool used = false;
+        bool hasTransmissionTexture = false;
     };
+    static void readTransform(const tinygltf::Value& extension, const std::string& what, Place& place);
+    static void readTexture(const tinygltf::Value& info, const std::string& what, Place& place);
     void readMaterial(const tinygltf::Material& from, size_t index);
     void loadTexture(uint32_t number);
     int loadImage(size_t image);
@@ -57,6 +61,7 @@ private:
     const tinygltf::Model& model_;
     const nlohmann::json& lists_;
     std::filesystem::path folder_;
+    Notices& notices_;
     std::shared_ptr<MaterialSet> set_;
     std::vector<Place> places_;     ///< one per material
     std::map<size_t, int> images_;  ///< image of the file -> index into MaterialSet::images

@@ -90,6 +90,25 @@ TEST(Materials, OpaqueOnesOpenNoImage) {
     EXPECT_TRUE(frameOf(leaf).surfaces.empty()) << "a material that no primitive has";
 }
 
+/// KHR_materials_pbrSpecularGlossiness goes before what the base specification has: factor, texture, its transform and set.
+TEST(Materials, OfSpecularAndGlossiness) {
+    Leaf leaf;
+    Json& material = leaf.json["materials"][0];
+    material["pbrMetallicRoughness"] = {{"baseColorFactor", {1, 1, 1, 1}}, {"baseColorTexture", {{"index", 9}, {"texCoord", 9}}}};
+    Json& other = material["extensions"]["KHR_materials_pbrSpecularGlossiness"];
+    other = {{"diffuseFactor", {0.25, 0.5, 0.75, 0.125}}, {"diffuseTexture", {{"index", 0}}}, {"specularGlossinessTexture", {{"index", 7}}}};
+    const SceneFile file = loadBytes(leaf.glb());
+    EXPECT_EQ(file.materials()[0].baseColor, glm::vec4(0.25f, 0.5f, 0.75f, 0.125f));
+    EXPECT_EQ(file.materials()[0].image, 0);
+    EXPECT_EQ(file.evaluate(0, 0).surfaces.at(0).corners, (Corners{ivec2(0, 0), ivec2(1024, 0), ivec2(0, 512)}));
+    other["diffuseTexture"]["extensions"]["KHR_texture_transform"] = {{"offset", {0.5, 0}}};
+    EXPECT_EQ(cornersOf(leaf)[0], ivec2(512, 0));
+    other = Json::object();
+    const SceneFile plain = loadBytes(leaf.glb());
+    EXPECT_EQ(plain.materials()[0].baseColor, glm::vec4(1)) << "its defaults";
+    EXPECT_EQ(plain.materials()[0].image, -1);
+}
+
 TEST(Materials, StandBesideOpaqueTriangles) {
     Leaf leaf;
     leaf.json["materials"].push_back({{"alphaMode", "BLEND"}});
@@ -192,12 +211,13 @@ void expectRefused(const std::string& words, const std::function<void(Leaf&)>& s
 
 TEST(BadTexture, ImageThatCannotBeRead) {
     expectRefused("image 0 (absent.png): no such file", [](Leaf& l) { l.json["images"] = {{{"uri", "absent.png"}}}; });
-    expectRefused("image 0 (absent\x20leaf.png): no such file", [](Leaf& l) { l.json["images"] = {{{"uri", "absent%20leaf.png"}}}; });
+    expectRefused("image 0 (absent%20leaf.png): no such file", [](Leaf& l) { l.json["images"] = {{{"uri", "absent%20leaf.png"}}}; });
     expectRefused("not a path beside the model", [](Leaf& l) { l.json["images"] = {{{"uri", "/dev/zero"}}}; });
     expectRefused("not a path beside the model", [](Leaf& l) { l.json["images"] = {{{"uri", ""}}}; });
     expectRefused("neither a buffer view nor a uri", [](Leaf& l) { l.json["images"] = {Json::object()}; });
     expectRefused("neither a buffer view nor a uri", [](Leaf& l) { l.json["images"] = {{{"uri", 7}}}; });
-    expectRefused("data uri is broken", [](Leaf& l) { l.json["images"] = {{{"uri", "data:image/png;base64,"}}}; });
+    expectRefused("image 0 is not a PNG or JPEG", [](Leaf& l) { l.json["images"] = {{{"uri", "data:image/png;base64,"}}}; });
+    expectRefused("image 0: its base64 is truncated", [](Leaf& l) { l.json["images"] = {{{"uri", "data:image/png;base64,iVBORw0KGgoAA"}}}; });
     expectRefused("buffer view 99 does not exist", [](Leaf& l) { l.json["images"][0]["bufferView"] = 99; });
     expectRefused("not a whole number", [](Leaf& l) { l.json["images"][0]["bufferView"] = -1; });
     expectRefused("reaches past the end", [](Leaf& l) { l.json["bufferViews"][0]["byteLength"] = 100000; });
@@ -230,7 +250,9 @@ TEST(BadTexture, ReferencesThatLeadNowhere) {
     expectRefused("whole number", [](Leaf& l) { l.texture()["index"] = 0.5; });
     expectRefused("entry 3 of samplers does not exist", [](Leaf& l) { l.json["textures"][0]["sampler"] = 3; });
     expectRefused("source is not a whole number", [](Leaf& l) { l.json["textures"][0]["source"] = "leaf"; });
-    expectRefused("has no PNG or JPEG", [](Leaf& l) { l.json["textures"][0] = {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}}; });
+    expectRefused("texture 0 has no PNG or JPEG; material 0 casts by its alpha", [](Leaf& l) {
+        l.json["textures"][0] = {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}};
+    });
     expectRefused("wrap mode 7 is not glTF", [](Leaf& l) { l.sampler() = {{"wrapS", 7}}; });
     expectRefused("wrapT is not a whole number", [](Leaf& l) { l.sampler() = {{"wrapT", "repeat"}}; });
 }
@@ -271,6 +293,20 @@ TEST(BadMaterial, Numbers) {
     expectRefused("offset is not an array of 2 numbers", transform({{"offset", {1, 2, 3}}}));
     expectRefused("scale is not a finite number", transform({{"scale", {1, "x"}}}));
     expectRefused("rotation is not a finite number", transform({{"rotation", "x"}}));
+    const auto glossy = [](const Json& value) {
+        return [value](Leaf& l) { l.json["materials"][0]["extensions"]["KHR_materials_pbrSpecularGlossiness"] = value; };
+    };
+    expectRefused("is not an object", glossy(7));
+    expectRefused("does not have 4 numbers", glossy({{"diffuseFactor", {1, 1, 1}}}));
+    expectRefused("diffuseFactor is not a finite number", glossy({{"diffuseFactor", {1, 1, 1, "x"}}}));
+    expectRefused("diffuseFactor is not an array of numbers", glossy({{"diffuseFactor", 1}}));
+    expectRefused("diffuseTexture is no object", glossy({{"diffuseTexture", 0}}));
+    expectRefused("diffuseTexture has no index", glossy({{"diffuseTexture", Json::object()}}));
+    expectRefused("entry 5 of textures does not exist", glossy({{"diffuseTexture", {{"index", 5}}}}));
+    expectRefused("index is -1", glossy({{"diffuseTexture", {{"index", -1}}}}));
+    expectRefused("lacks TEXCOORD_2", glossy({{"diffuseTexture", {{"index", 0}, {"texCoord", 2}}}}));
+    expectRefused("offset is not an array of 2 numbers",
+                  glossy({{"diffuseTexture", {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"offset", 1}}}}}}}}));
     expectRefused("transmissionFactor is not a finite number",
                   [](Leaf& l) { l.json["materials"][0]["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = "x"; });
 }
