@@ -143,6 +143,11 @@ Accessors::Layout Accessors::layout(int index, std::string_view what) const {
 
 size_t Accessors::count(int accessor, std::string_view what) const { return layout(accessor, what).count; }
 
+int Accessors::type(int accessor, std::string_view what) const {
+    (void)layout(accessor, what);
+    return model_.accessors[static_cast<size_t>(accessor)].type;
+}
+
 void Accessors::applySparse(const tinygltf::Accessor& accessor, const Layout& whole, std::vector<double>& values, std::string_view what) const {
     const auto& sparse = accessor.sparse;
     if (sparse.count < 1 || static_cast<size_t>(sparse.count) > whole.count)

@@ -72,7 +72,8 @@ private:
         frame_.surfaceOf.resize(frame_.triangles.size(), kOpaque);
         if (isOpaque) return;
         frame_.surfaceOf.back() = static_cast<uint32_t>(frame_.surfaces.size());
-        Surface& surface = frame_.surfaces.emplace_back(Surface{primitive.corners[triangle], primitive.material});
+        const uint32_t material = primitive.coloured.empty() ? primitive.material : primitive.coloured[triangle];
+        Surface& surface = frame_.surfaces.emplace_back(Surface{primitive.corners[triangle], material});
         if (isMirrored) std::swap(surface.corners[1], surface.corners[2]);
     }
 

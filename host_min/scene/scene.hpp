@@ -122,7 +122,7 @@ public:
     ~SceneFile();
 
     [[nodiscard]] const std::filesystem::path& path() const;
-    [[nodiscard]] const std::vector<Material>& materials() const;  ///< the last entry is glTF's default material
+    [[nodiscard]] const std::vector<Material>& materials() const;  ///< the file's, glTF's default one, and the file's with vertex colours
     [[nodiscard]] uint32_t cameraCount() const;                    ///< at least 1: the default one when the file has none
     [[nodiscard]] uint32_t lightCount() const;                     ///< at least 1: defaults (0: point, 1: directional) when the file has none
     [[nodiscard]] double lastKeyframe() const;                     ///< of what is applied, seconds; 0 without animations

@@ -48,6 +48,7 @@ struct PrimitiveData {
     uint32_t jointCount = 0;  ///< largest joint index + 1
     uint32_t material = 0;
     std::vector<std::array<glm::ivec2, 3>> corners;  ///< texel coordinates, one entry per triangle; empty for opaque materials
+    std::vector<uint32_t> coloured;                  ///< material with vertex colours, one per triangle; empty without such colours
 };
 
 struct MeshData {

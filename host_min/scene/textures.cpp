@@ -94,12 +94,13 @@ Textures::Textures(const tinygltf::Model& model, const Json& lists, std::filesys
     for (size_t i = 0; i < model.materials.size(); ++i) readMaterial(model.materials[i], i);
     set_->materials.emplace_back().name = "default";
     places_.emplace_back();
+    transmissions_.emplace_back();
 }
 
 void Textures::readMaterial(const tinygltf::Material& from, size_t index) {
     const std::string what = fmt::format("material {}", index);
     Material& material = set_->materials.emplace_back();
-    Place& place = places_.emplace_back();
+    Place &place = places_.emplace_back(), &transmitting = transmissions_.emplace_back();
     material.name = oneLine(from.name);
     if (from.alphaMode == "MASK") material.alpha = Material::Alpha::mask;
     if (from.alphaMode == "BLEND") material.alpha = Material::Alpha::blend;
@@ -120,7 +121,8 @@ void Textures::readMaterial(const tinygltf::Material& from, size_t index) {
     for (int i = 0; i < 4; ++i) material.baseColor[i] = static_cast<float>(std::clamp(factor[static_cast<size_t>(i)], 0.0, 1.0));
     if (const auto* transmission = extensionOf(from.extensions, "KHR_materials_transmission")) {
         material.transmission = static_cast<float>(std::clamp(memberOf(*transmission, "transmissionFactor", 0, what), 0.0, 1.0));
-        place.hasTransmissionTexture = transmission->Has("transmissionTexture");
+        if (transmission->Has("transmissionTexture"))
+            readTexture(transmission->Get("transmissionTexture"), what + " transmissionTexture", transmitting);
     }
     material.doubleSided = from.doubleSided;
     material.textured = place.texture >= 0;
@@ -141,43 +143,110 @@ void Textures::readTexture(const tinygltf::Value& info, const std::string& what,
     if (extensions.Has(kTransform)) readTransform(extensions.Get(kTransform), what, place);
 }
 
+void Textures::tell(const char* what, const std::set<uint32_t>& materials, const char* instead) {
+    std::vector<std::pair<size_t, std::string>> names;
+    for (const uint32_t number : materials) names.emplace_back(number, set_->materials[number].name);
+    if (!names.empty()) notices_.add(fmt::format("{} of material{} {}: {}", what, names.size() == 1 ? "" : "s", enumerated(names), instead));
+}
+
 std::shared_ptr<const MaterialSet> Textures::take() {
-    std::vector<std::pair<size_t, std::string>> withoutTexture;
-    for (size_t i = 0; i < places_.size(); ++i)
-        if (places_[i].used && places_[i].hasTransmissionTexture && set_->materials[i].transmission > 0)
-            withoutTexture.emplace_back(i, set_->materials[i].name);
-    if (!withoutTexture.empty())
-        notices_.add(fmt::format("transmission texture of material{} {}: taken for white, so that transmissionFactor alone counts",
-                                 withoutTexture.size() == 1 ? "" : "s", enumerated(withoutTexture)));
+    tell("transmission texture", untinted_, "not used, it lies otherwise than the base colour texture; transmissionFactor alone counts");
+    tell("COLOR_0", uneven_, "differs within triangles; each is taken with the mean of its vertices");
     return std::move(set_);
 }
 
 uint32_t Textures::use(int index) {
     const auto number = static_cast<uint32_t>(index < 0 ? model_.materials.size() : static_cast<size_t>(index));
     const Material& material = set_->materials[number];
-    if (!places_[number].used && !material.isOpaque() && material.textured) loadTexture(number);
+    if (!places_[number].used && !material.isOpaque()) {
+        if (material.textured) loadTexture(number);
+        if (transmissions_[number].texture >= 0 && material.transmission > 0) loadTransmission(number);
+    }
     places_[number].used = true;
     return number;
 }
 
-void Textures::loadTexture(uint32_t number) {
-    Material& material = set_->materials[number];
+uint32_t Textures::coloured(uint32_t number, const std::array<glm::dvec4, 3>& colours) {
+    constexpr size_t kMostExact = 4096;
+    const Material from = set_->materials[number];
+    glm::dvec4 colour = (colours[0] + colours[1] + colours[2]) / 3.0, counts(from.transmission > 0 ? 1 : 0);
+    counts.w = from.alpha == Material::Alpha::opaque ? 0 : 1;
+    const auto differs = [&](glm::dvec4 other) { return (other - colours[0]) * counts != glm::dvec4(0); };
+    const bool isUneven = differs(colours[1]) || differs(colours[2]);
+    if (isUneven) uneven_.insert(number);
+    if (!isUneven) colour = colours[0];
+    if (isUneven || coloured_.size() >= kMostExact) colour = glm::round(colour * 255.0) / 255.0;
+    colour = glm::mix(glm::dvec4(1), colour, counts);
+    if (colour == glm::dvec4(1)) return number;
+    const glm::vec4 factor(colour);
+    const auto [entry, added] =
+        coloured_.try_emplace({static_cast<float>(number), factor.x, factor.y, factor.z, factor.w}, static_cast<uint32_t>(set_->materials.size()));
+    if (added) {
+        set_->materials.push_back(from);
+        set_->materials.back().baseColor *= factor;
+    }
+    return entry->second;
+}
+
+Textures::Sampling Textures::samplingOf(const Place& place, uint32_t number) const {
     const std::string what = fmt::format("material {}", number);
-    const int index = places_[number].texture;
-    const Json& texture = entryOf(lists_, "textures", index, what);
-    const std::string textureName = fmt::format("texture {}", index);
+    const Json& texture = entryOf(lists_, "textures", place.texture, what);
+    const std::string textureName = fmt::format("texture {}", place.texture);
+    Sampling result;
     if (const int sampler = wholeMember(texture, "sampler", -1, textureName); sampler >= 0) {
         const Json& from = entryOf(lists_, "samplers", sampler, textureName);
         const std::string samplerName = fmt::format("sampler {}", sampler);
-        material.wrapU = wrapOf(wholeMember(from, "wrapS", kRepeat, samplerName), samplerName);
-        material.wrapV = wrapOf(wholeMember(from, "wrapT", kRepeat, samplerName), samplerName);
-        material.linearFilter = wholeMember(from, "magFilter", 0, samplerName) != kNearest;
+        result.wrapU = wrapOf(wholeMember(from, "wrapS", kRepeat, samplerName), samplerName);
+        result.wrapV = wrapOf(wholeMember(from, "wrapT", kRepeat, samplerName), samplerName);
+        result.linearFilter = wholeMember(from, "magFilter", 0, samplerName) != kNearest;
     }
     const int source = wholeMember(texture, "source", -1, textureName);
     if (source < 0)
-        throw InputError(
-            fmt::format("{} has no PNG or JPEG; {} casts by its alpha: give it one, or make it opaque", textureName, withName(what, material.name)));
-    material.image = loadImage(static_cast<size_t>(source));
+        throw InputError(fmt::format("{} has no PNG or JPEG; {} lets light through: give it one, or make it opaque", textureName,
+                                     withName(what, set_->materials[number].name)));
+    result.image = static_cast<size_t>(source);
+    return result;
+}
+
+void Textures::loadTexture(uint32_t number) {
+    const Sampling sampling = samplingOf(places_[number], number);
+    Material& material = set_->materials[number];
+    material.wrapU = sampling.wrapU;
+    material.wrapV = sampling.wrapV;
+    material.linearFilter = sampling.linearFilter;
+    material.image = loadImage(sampling.image);
+}
+
+// What passes is colour times transmission, texel by texel, so the texture goes into an image of the material's own. That needs one lookup for both.
+void Textures::loadTransmission(uint32_t number) {
+    Material& material = set_->materials[number];
+    Place &place = places_[number], &transmitting = transmissions_[number];
+    Sampling sampling = samplingOf(transmitting, number);
+    const TextureImage share = set_->images[static_cast<size_t>(loadImage(sampling.image))];
+    TextureImage product{share.width, share.height, std::vector<uint8_t>(share.rgba.size(), 255), true};
+    if (material.image < 0) {
+        place.set = transmitting.set;
+        place.transform = transmitting.transform;
+        material.wrapU = sampling.wrapU;
+        material.wrapV = sampling.wrapV;
+        material.linearFilter = sampling.linearFilter;
+    } else {
+        const TextureImage& colour = set_->images[static_cast<size_t>(material.image)];
+        const bool isSame = place.set == transmitting.set && place.transform == transmitting.transform && sampling.wrapU == material.wrapU &&
+                            sampling.wrapV == material.wrapV && sampling.linearFilter == material.linearFilter && colour.width == share.width &&
+                            colour.height == share.height;
+        if (!isSame) {
+            untinted_.insert(number);
+            return;
+        }
+        for (size_t i = 0; i < product.rgba.size(); ++i) product.rgba[i] = i % 4 == 3 ? colour.rgba[i] : linearChannel(colour.rgba[i]);
+    }
+    for (size_t i = 0; i < product.rgba.size(); ++i)
+        if (i % 4 != 3) product.rgba[i] = static_cast<uint8_t>((product.rgba[i] * share.rgba[i - i % 4] + 127) / 255);
+    texels_ += uint64_t{product.width} * product.height;
+    if (texels_ > kMostTexels) throw InputError(fmt::format("all images together have more than {} texels", kMostTexels));
+    material.image = static_cast<int>(set_->images.size());
+    set_->images.push_back(std::move(product));
 }
 
 int Textures::loadImage(size_t image) {

@@ -110,7 +110,7 @@ Builder leafyFile() {
          {"pbrMetallicRoughness",
           {{"baseColorTexture",
             {{"index", 0}, {"texCoord", 1}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0.5}}, {"scale", {2, 2}}}}}}}}}},
-         {"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}}}}}}};
+         {"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}, {"transmissionTexture", {{"index", 0}, {"texCoord", 1}}}}}}}}};
     builder.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
     builder.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}}};
     const int image = builder.view(tinyPng(4, 4, std::string(64, '\x5A')));
@@ -118,7 +118,8 @@ Builder leafyFile() {
     builder.meshNode(kCube, kCubeIndices);
     auto& primitive = builder.json["meshes"][0]["primitives"][0];
     const int uv = builder.floats(std::vector<float>{0, 0, 1, 0, 0, 1, 1, 1, 0, 0, 1, 0, 0, 1, 1, 1}, "VEC2", 2);
-    primitive["attributes"]["TEXCOORD_1"] = uv;
+    const int colours = builder.floats(std::vector<float>(32, 0.75f), "VEC4", 4);
+    primitive["attributes"].update({{"TEXCOORD_1", uv}, {"COLOR_0", colours}});
     primitive["material"] = 0;
     return builder;
 }
