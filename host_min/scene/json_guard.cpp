@@ -78,6 +78,10 @@ void checkMember(std::string_view key, const Json& value) {
     if (isOneOf(whole, key)) checkWhole(value, key);
     if (key == "indices" && !value.is_object()) checkWhole(value, key);
     if (key == "visible" && !value.is_boolean()) throw InputError("KHR_node_visibility: visible is neither true nor false");
+    if (key == "diffuseTexture" || key == "transmissionTexture") {  // tinygltf passes empty objects over
+        if (!value.is_object()) throw InputError(fmt::format("{} is no object", key));
+        if (!value.contains("index")) throw InputError(fmt::format("{} has no index", key));
+    }
     if (key == "attributes") checkWholeMembers(value, key);
     if (key == "matrix") checkNumbers(value, key, 16);
     if (key == "rotation") checkNumbers(value, key, 4);

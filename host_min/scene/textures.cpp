@@ -133,9 +133,8 @@ void Textures::readTransform(const tinygltf::Value& extension, const std::string
     place.set = static_cast<int>(std::clamp(memberOf(extension, "texCoord", place.set, what), 0.0, 1e9));
 }
 
+// guardJson saw that it is an object with an index.
 void Textures::readTexture(const tinygltf::Value& info, const std::string& what, Place& place) {
-    if (!info.IsObject()) throw InputError(what + " is no object");
-    if (!info.Has("index")) throw InputError(what + " has no index");
     place.texture = static_cast<int>(std::clamp(memberOf(info, "index", -1, what), 0.0, 2147483647.0));
     place.set = static_cast<int>(std::clamp(memberOf(info, "texCoord", 0, what), 0.0, 1e9));
     if (!info.Has("extensions") || !info.Get("extensions").IsObject()) return;

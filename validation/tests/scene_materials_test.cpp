@@ -369,7 +369,7 @@ TEST(BadTexture, ReferencesThatLeadNowhere) {
     expectRefused("whole number", [](Leaf& l) { l.texture()["index"] = 0.5; });
     expectRefused("entry 3 of samplers does not exist", [](Leaf& l) { l.json["textures"][0]["sampler"] = 3; });
     expectRefused("source is not a whole number", [](Leaf& l) { l.json["textures"][0]["source"] = "leaf"; });
-    expectRefused("texture 0 has no PNG or JPEG; material 0 casts by its alpha", [](Leaf& l) {
+    expectRefused("texture 0 has no PNG or JPEG; material 0 lets light through", [](Leaf& l) {
         l.json["textures"][0] = {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}};
     });
     expectRefused("wrap mode 7 is not glTF", [](Leaf& l) { l.sampler() = {{"wrapS", 7}}; });
@@ -426,6 +426,15 @@ TEST(BadMaterial, Numbers) {
     expectRefused("lacks TEXCOORD_2", glossy({{"diffuseTexture", {{"index", 0}, {"texCoord", 2}}}}));
     expectRefused("offset is not an array of 2 numbers",
                   glossy({{"diffuseTexture", {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"offset", 1}}}}}}}}));
+    const auto glass = [](const Json& value) {
+        return [value](Leaf& l) {
+            l.json["materials"][0]["extensions"]["KHR_materials_transmission"] = {{"transmissionFactor", 1}, {"transmissionTexture", value}};
+        };
+    };
+    expectRefused("transmissionTexture is no object", glass("x"));
+    expectRefused("transmissionTexture has no index", glass(Json::object()));
+    expectRefused("entry 5 of textures does not exist", glass({{"index", 5}}));
+    expectRefused("index is 0.5", glass({{"index", 0.5}}));
     expectRefused("transmissionFactor is not a finite number",
                   [](Leaf& l) { l.json["materials"][0]["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = "x"; });
 }
