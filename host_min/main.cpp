@@ -20,8 +20,8 @@ int run(int argc, const char* const* argv) {
             if (!shade(command.shade)) throw WorkError("the validation layer had something to say (see above)");
             break;
         case Command::Kind::effects: {
-            const SceneFile file = SceneFile::load(command.scene);
-            printEffects(file, file.evaluate(command.frame, 0));
+            const SceneFile file = SceneFile::load(command.scene, command.animation);
+            printEffects(file, file.evaluate(command.frame, 0), command.quiet);
             break;
         }
         case Command::Kind::techniques:

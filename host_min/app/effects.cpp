@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "host_min/scene/notices.hpp"
+#include "host_min/scene/one_line.hpp"
+
 namespace gno::host {
 namespace {
 
@@ -46,15 +49,15 @@ std::vector<Effect> effectsOf(const SceneFile& file, const Frame& frame, int lig
         }
         if (count > 0)
             effects.push_back({kindName(kind),
-                               fmt::format("{} such light{}{}", count, count > 1 ? "s" : "", defaults ? " (made by us: the file has none)" : ""),
+                               fmt::format("{}{}", counted(count, "such light"), defaults ? " (made by us: the scene has none)" : ""),
                                switchedOnBy(kind)});
     }
     const uint64_t triangles = frame.triangles.size(), closed = frame.facts.closedTriangles;
     if (closed > 0)
-        effects.push_back({"closed_casters", fmt::format("{} of {} triangles belong to closed, consistently oriented meshes", closed, triangles),
+        effects.push_back({"closed_casters", fmt::format("{} of {} in closed, consistently oriented meshes", closed, counted(triangles, "triangle")),
                            "--set cull=front may drop those of them that face the light"});
     if (closed < triangles)
-        effects.push_back({"open_casters", fmt::format("{} of {} triangles do not", triangles - closed, triangles),
+        effects.push_back({"open_casters", fmt::format("{} of {} in others", triangles - closed, counted(triangles, "triangle")),
                            "they cast from both sides and are never dropped by cull=front"});
     uint64_t mask = 0, coloured = 0;
     for (const Surface& surface : frame.surfaces) {
@@ -64,45 +67,52 @@ std::vector<Effect> effectsOf(const SceneFile& file, const Frame& frame, int lig
     }
     constexpr const char* kByMaterial =
         "techniques with this effect look up material and texture where the light crosses a caster; others take it for opaque";
-    if (mask > 0) effects.push_back({"alpha_tested_casters", fmt::format("{} triangles have an alpha-tested material", mask), kByMaterial});
+    if (mask > 0)
+        effects.push_back({"alpha_tested_casters", fmt::format("{} with an alpha-tested material", counted(mask, "triangle")), kByMaterial});
     if (coloured > 0)
-        effects.push_back({"coloured_casters", fmt::format("{} triangles have a blended or transmitting material", coloured), kByMaterial});
+        effects.push_back(
+            {"coloured_casters", fmt::format("{} with a blended or transmitting material", counted(coloured, "triangle")), kByMaterial});
     if (frame.facts.animations > 0)
         effects.push_back({"animation",
-                           fmt::format("{} animation{}, last keyframe at {:.2f} s", frame.facts.animations, frame.facts.animations > 1 ? "s" : "",
-                                       file.lastKeyframe()),
+                           fmt::format("{}, {} applied, last keyframe at {:.2f} s", counted(frame.facts.animations, "animation"),
+                                       file.clip() ? fmt::format("number {}", *file.clip()) : "all of them", file.lastKeyframe()),
                            "casters, camera and lights are evaluated anew for every --frame; structures are rebuilt every frame"});
-    if (frame.facts.skins > 0) effects.push_back({"skins", fmt::format("{} skins", frame.facts.skins), "vertices are skinned on the CPU"});
+    if (frame.facts.skins > 0) effects.push_back({"skins", counted(frame.facts.skins, "skin"), "vertices are skinned on the CPU"});
     if (frame.facts.morphTargets > 0)
-        effects.push_back({"morph_targets", fmt::format("{} morph targets", frame.facts.morphTargets), "vertices are morphed on the CPU"});
+        effects.push_back({"morph_targets", counted(frame.facts.morphTargets, "morph target"), "vertices are morphed on the CPU"});
     return effects;
 }
 
 Choice chooseAutomatically(const Frame& frame, Precision precision) {
     if (!frame.surfaces.empty())
-        return {&techniqueByName("ptsv"),
-                fmt::format("ptsv: {} of {} casters are alpha-tested or coloured, which the faster forest takes for opaque", frame.surfaces.size(),
-                            frame.triangles.size())};
+        return {&techniqueByName("ptsv"), fmt::format("ptsv: {} of {} alpha-tested or coloured, which the faster forest takes for opaque",
+                                                      frame.surfaces.size(), counted(frame.triangles.size(), "caster"))};
     if (precision == Precision::published)
-        return {&techniqueByName("d-hybrid"), fmt::format("d-hybrid: {} casters, precision published, which the faster forest does not have: of the "
+        return {&techniqueByName("d-hybrid"), fmt::format("d-hybrid: {}, precision published, which the faster forest does not have: of the "
                                                           "published queries it visits fewest nodes without the risk "
                                                           "of a full stack",
-                                                          frame.triangles.size())};
-    return {&techniqueByName("forest"), fmt::format("forest: {} casters, precision {}: in our measurements it took less time than d-hybrid in every "
+                                                          counted(frame.triangles.size(), "caster"))};
+    return {&techniqueByName("forest"), fmt::format("forest: {}, precision {}: in our measurements it took less time than d-hybrid in every "
                                                     "scene, build and query together, and its worst sample stays "
                                                     "near the mean, unlike that of the lists of light-grid",
-                                                    frame.triangles.size(), name(precision))};
+                                                    counted(frame.triangles.size(), "caster"), name(precision))};
 }
 
-void printEffects(const SceneFile& file, const Frame& frame) {
-    fmt::print("{}: {} triangles in {} objects, {} light{}, {} camera{}\n", file.path().string(), frame.triangles.size(), frame.facts.objects,
-               frame.lights.size(), frame.lights.size() > 1 ? "s" : "", file.cameraCount(), file.cameraCount() > 1 ? "s" : "");
-    if (frame.facts.zeroArea > 0) fmt::print("{} triangles have no area on the grid: neither visible nor casters\n", frame.facts.zeroArea);
-    if (frame.facts.duplicates > 0) fmt::print("{} triangles stand there twice: kept\n", frame.facts.duplicates);
-    if (frame.facts.pointOrLinePrimitives > 0)
-        fmt::print("{} primitives of points or lines: they cast no shadow and are skipped\n", frame.facts.pointOrLinePrimitives);
-    for (const std::string& extension : frame.facts.ignoredExtensions)
-        fmt::print("required extension {} concerns textures and materials only: ignored\n", extension);
+void printNotices(const std::vector<std::string>& notices, std::set<std::string, std::less<>>& told) {
+    for (const std::string& notice : notices)
+        if (told.emplace(subjectOf(notice)).second) fmt::print("note: {}\n", notice);
+}
+
+void printEffects(const SceneFile& file, const Frame& frame, bool quiet) {
+    fmt::print("{}: {} in {}, {}, {}\n", oneLine(file.path().string()), counted(frame.triangles.size(), "triangle"),
+               counted(frame.facts.objects, "object"), counted(frame.lights.size(), "light"), counted(file.cameraCount(), "camera"));
+    if (frame.facts.duplicates > 0) fmt::print("{} there twice: kept\n", counted(frame.facts.duplicates, "triangle"));
+    std::set<std::string, std::less<>> told;
+    if (!quiet) printNotices(frame.facts.notices, told);
+    const std::vector<Clip> clips = file.clips();
+    for (size_t i = 0; i < clips.size(); ++i)
+        fmt::print("animation {}{} ends at {:.2f} s{}\n", i, clips[i].name.empty() ? "" : " (" + clips[i].name + ")", clips[i].lastKeyframe,
+                   !file.clip() || *file.clip() == i ? ", applied" : "");
     for (const Effect& effect : effectsOf(file, frame, -1))
         fmt::print("{:20} {}\n{:20} -> {}\n", effect.name, effect.because, "", effect.switchesOn);
     fmt::print("auto would run {}\n", chooseAutomatically(frame, Precision::certified).why);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a scene calls for. An effect that it does not call for costs nothing: no pass, no buffer, no instruction.
 #pragma once
+#include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,7 +27,10 @@ struct Choice {
 };
 Choice chooseAutomatically(const Frame& frame, Precision precision);
 
-/// `gnomon effects`.
-void printEffects(const SceneFile& file, const Frame& frame);
+/// One line "note: ..." each, but none whose subject is in `told`, which gets it.
+void printNotices(const std::vector<std::string>& notices, std::set<std::string, std::less<>>& told);
+
+/// `gnomon effects`; `quiet`: without notices.
+void printEffects(const SceneFile& file, const Frame& frame, bool quiet);
 
 }  // namespace gno::host

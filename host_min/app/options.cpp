@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "host_min/error.hpp"
+#include "host_min/scene/one_line.hpp"
 
 #ifndef GNOMON_VERSION
 #error "the build defines GNOMON_VERSION"
@@ -23,18 +24,18 @@ uint32_t number(const std::string& option, std::string_view text, uint32_t maxim
     uint32_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (text.empty() || error != std::errc{} || end != text.data() + text.size() || value > maximum)
-        throw InputError(fmt::format("{} {}: must be a whole number of 0 to {}", option, text, maximum));
+        throw InputError(fmt::format("{} {}: must be a whole number of 0 to {}", option, oneLine(text), maximum));
     return value;
 }
 
 void parseSize(const std::string& text, ShadeOptions& options) {
     const size_t at = text.find('x');
-    if (at == std::string::npos) throw InputError(fmt::format("--size {}: write WIDTHxHEIGHT, for example 1024x1024", text));
+    if (at == std::string::npos) throw InputError(fmt::format("--size {}: write WIDTHxHEIGHT, for example 1024x1024", oneLine(text)));
     try {
         options.width = number("--size", std::string_view(text).substr(0, at));
         options.height = number("--size", std::string_view(text).substr(at + 1));
     } catch (const InputError&) {
-        throw InputError(fmt::format("--size {}: write WIDTHxHEIGHT, for example 1024x1024", text));
+        throw InputError(fmt::format("--size {}: write WIDTHxHEIGHT, for example 1024x1024", oneLine(text)));
     }
     checkSize({}, options.width, options.height);
 }
@@ -42,14 +43,18 @@ void parseSize(const std::string& text, ShadeOptions& options) {
 void parseFrames(const std::string& text, ShadeOptions& options) {
     constexpr uint32_t kLastFrame = 1000000;
     const size_t at = text.find("..");
-    options.firstFrame = number("--frame", text.substr(0, at), kLastFrame);
-    options.lastFrame = at == std::string::npos ? options.firstFrame : number("--frame", text.substr(at + 2), kLastFrame);
+    try {
+        options.firstFrame = number("--frame", text.substr(0, at), kLastFrame);
+        options.lastFrame = at == std::string::npos ? options.firstFrame : number("--frame", text.substr(at + 2), kLastFrame);
+    } catch (const InputError&) {
+        throw InputError(fmt::format("--frame {}: write A or A..B, whole numbers of 0 to {}", oneLine(text), kLastFrame));
+    }
     if (options.lastFrame < options.firstFrame) throw InputError(fmt::format("--frame {}: the last frame is before the first", text));
 }
 
 void parseTrace(const std::string& text, ShadeOptions& options) {
     const size_t at = text.find(',');
-    if (at == std::string::npos) throw InputError(fmt::format("--trace {}: write X,Y, a pixel counted from the upper left corner", text));
+    if (at == std::string::npos) throw InputError(fmt::format("--trace {}: write X,Y, a pixel counted from the upper left corner", oneLine(text)));
     if (!options.dump) throw InputError("--trace: only together with --dump, which writes what is logged");
     options.trace = {number("--trace", text.substr(0, at), options.width - 1), number("--trace", text.substr(at + 1), options.height - 1)};
 }
@@ -60,6 +65,25 @@ std::vector<std::string> splitList(const std::string& text) {
     for (std::string part; std::getline(stream, part, ',');)
         if (!part.empty()) parts.push_back(part);
     return parts;
+}
+
+/// For a word that would be said as a key of --set; nothing without one.
+std::string hintAtSet(const std::vector<std::string>& words) {
+    std::vector<std::span<const SettingInfo>> all{frameSettings()};
+    for (const auto& technique : techniques()) all.emplace_back(technique->info().settings);
+    for (size_t i = 0; i < words.size(); ++i) {
+        if (!words[i].starts_with("--")) continue;
+        const size_t sign = words[i].find('=');
+        const std::string key = words[i].substr(2, sign == std::string::npos ? sign : sign - 2);
+        for (const auto& settings : all)
+            for (const SettingInfo& setting : settings) {
+                if (setting.key != key) continue;
+                const bool hasNext = i + 1 < words.size() && !words[i + 1].starts_with("-");
+                const std::string value = sign != std::string::npos ? words[i].substr(sign + 1) : hasNext ? words[i + 1] : "VALUE";
+                return fmt::format("; {} is a key of --set: write --set {}={}", key, key, oneLine(value));
+            }
+    }
+    return {};
 }
 
 }  // namespace
@@ -81,6 +105,8 @@ Command parseCommandLine(int argc, const char* const* argv) {
     shadeCommand->add_option("--camera", camera, "index of the camera")->capture_default_str();
     shadeCommand->add_option("--light", light, "index of the light, or all")->capture_default_str();
     shadeCommand->add_option("--frame", frame, "A or A..B; time = frame / 30 s")->capture_default_str();
+    const char* animationHelp = "number or name of the animation to apply, or all (a later one wins); default: the first one";
+    shadeCommand->add_option("--animation", shade.animation, animationHelp);
     shadeCommand->add_option("--set", shade.settings, "KEY=VALUE, may be repeated; `gnomon techniques` lists the keys")->allow_extra_args(false);
     shadeCommand->add_flag("--check", shade.check, "compare with the exact oracle");
     shadeCommand->add_option("--repeat", repeat, "timed runs; the median is told")->capture_default_str();
@@ -89,10 +115,14 @@ Command parseCommandLine(int argc, const char* const* argv) {
     bool noPictures = false;
     shadeCommand->add_flag("--no-pictures", noPictures, "write no PNG and no EXR");
     shadeCommand->add_option("--out", out, "folder for everything that is written")->capture_default_str();
-    shadeCommand->add_option("--json", json, "file for the record (JSON Lines)");
+    shadeCommand->add_option("--json", json, "file for the record (JSON Lines); what it held before is replaced");
+    const char* quietHelp = "do not tell what of the file is not used";
+    shadeCommand->add_flag("--quiet", shade.quiet, quietHelp);
     CLI::App* effectsCommand = app.add_subcommand("effects", "what a scene calls for, what is therefore built, and why");
     effectsCommand->add_option("SCENE", scene, ".gltf or .glb file")->required();
     effectsCommand->add_option("--frame", effectsFrame, "time = frame / 30 s")->capture_default_str();
+    effectsCommand->add_option("--animation", command.animation, animationHelp);
+    effectsCommand->add_flag("--quiet", command.quiet, quietHelp);
     CLI::App* techniquesCommand = app.add_subcommand("techniques", "what this device can run, what is missing for the rest, and every key of --set");
     CLI::App* deviceCommand = app.add_subcommand("device", "the device, its limits, the subgroup width");
 
@@ -107,7 +137,8 @@ Command parseCommandLine(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         std::string text = error.what();
         std::replace(text.begin(), text.end(), '\n', ' ');
-        throw InputError(text + "; `gnomon --help` and `gnomon COMMAND --help` tell what there is");
+        const std::string hint = *shadeCommand ? hintAtSet({argv, argv + argc}) : std::string();
+        throw InputError(oneLine(text) + hint + "; `gnomon --help` and `gnomon COMMAND --help` tell what there is");
     }
 
     if (*shadeCommand) {

@@ -20,9 +20,11 @@ struct ShadeOptions {
     uint32_t width = 1024, height = 1024;
     uint32_t camera = 0;
     std::optional<uint32_t> light = 0;  ///< nullopt: all
+    std::string animation;              ///< number, name or all; empty: the first one
     uint32_t firstFrame = 0, lastFrame = 0;
     std::vector<std::string> settings;  ///< KEY=VALUE each
     bool check = false, dump = false, pictures = true;
+    bool quiet = false;               ///< no notices
     std::optional<glm::uvec2> trace;  ///< pixel whose query is logged; with dump only
     uint32_t repeat = 1;
     std::filesystem::path out = "out";
@@ -32,8 +34,10 @@ struct ShadeOptions {
 struct Command {
     enum class Kind { none, shade, effects, techniques, device } kind = Kind::none;  ///< none: help or version was printed
     ShadeOptions shade;
-    std::filesystem::path scene;  ///< of effects
+    std::filesystem::path scene;  ///< of effects, and all below
     uint32_t frame = 0, camera = 0;
+    std::string animation;
+    bool quiet = false;
 };
 
 /// Prints help or version itself. Throws InputError, one line.

@@ -93,6 +93,7 @@ Record makeRecord(const FrameInputs& inputs, const TechniqueResult& result) {
                    frame.harm.changed};
     record.triangles = inputs.triangleCount();
     record.casters = inputs.casterCount();
+    record.takenForOpaque = result.sums.empty() ? inputs.frame().surfaces.size() : 0;
     record.samples = inputs.sampleCount();
     record.inShadow = uint64_t(std::count(result.visibility.begin(), result.visibility.end(), GNO_VISIBILITY_SHADOW));
     record.unknown = uint64_t(std::count(result.visibility.begin(), result.visibility.end(), GNO_VISIBILITY_UNKNOWN));

@@ -2,10 +2,13 @@
 #include "host_min/app/shade.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
+#include <set>
 
 #include "host_min/app/effects.hpp"
 #include "host_min/app/outputs.hpp"
@@ -14,6 +17,7 @@
 #include "host_min/interrupt.hpp"
 #include "host_min/output/atomic_file.hpp"
 #include "host_min/output/table.hpp"
+#include "host_min/scene/one_line.hpp"
 
 namespace gno::host {
 namespace {
@@ -30,6 +34,10 @@ void checkOutputs(const ShadeOptions& options) {
     using enum std::filesystem::file_type;
     if (kind == fifo || kind == character || kind == socket) return;  // whoever reads it would see its end
     const AtomicFile probe(options.json);
+}
+
+bool looksUpMaterials(const Technique& technique, const ShadeOptions& options) {
+    return answersForMaterials(technique.info()) && Settings(technique.info().settings, options.settings).word("materials") != "off";
 }
 
 /// Pixels without a view sample have no query.
@@ -63,8 +71,26 @@ void tellGrid(const Frame& frame, const ShadeOptions& options, bool anyway, bool
         "units from there, for {}",
         harm.movedPixels, harm.movedPixels < 1.5 ? "" : "s", harm.reach, cause);
     if (harm.movedPixels >= kHarmRefused && !anyway)
-        throw InputError(fmt::format("{}: {}; move that nearer, or add --set grid=anyway", options.scene.string(), what));
+        throw InputError(fmt::format("{}: {}; move that nearer, or add --set grid=anyway", oneLine(options.scene.string()), what));
     fmt::print(stderr, "warning: {}\n", what);
+}
+
+/// Of the frame, and of what this run makes of it.
+std::vector<std::string> noticesOf(const Frame& frame, const std::vector<Technique*>& chosen, const ShadeOptions& options) {
+    std::vector<std::string> notices = frame.facts.notices;
+    const double aspect = double(options.width) / options.height, named = frame.camera.fileAspect;
+    if (named > 0 && std::abs(named / aspect - 1) > 0.01)
+        notices.push_back(
+            fmt::format("width of the camera's view: not the file's ({:.3g} times its height) but the picture's ({:.3g} times); its height is kept",
+                        named, aspect));
+    if (frame.surfaces.empty()) return notices;
+    std::vector<std::string> names;
+    for (const Technique* technique : chosen)
+        if (!looksUpMaterials(*technique, options)) names.push_back(technique->info().name);
+    if (!names.empty())
+        notices.push_back(fmt::format("alpha-tested and coloured casters: {} of {} taken for opaque by {} (marked in the table)",
+                                      frame.surfaces.size(), counted(frame.triangles.size(), "triangle"), fmt::join(names, ", ")));
+    return notices;
 }
 
 }  // namespace
@@ -79,7 +105,7 @@ bool shade(const ShadeOptions& options) {
 
     Progress progress;
     progress.show("loading");
-    const SceneFile file = SceneFile::load(options.scene);
+    const SceneFile file = SceneFile::load(options.scene, options.animation);
     const uint32_t lightCount = file.lightCount();
     if (options.camera >= file.cameraCount())
         throw InputError(fmt::format("--camera {}: the scene has {} (0..{})", options.camera, file.cameraCount(), file.cameraCount() - 1));
@@ -100,6 +126,7 @@ bool shade(const ShadeOptions& options) {
     PassCache passes(device);
     std::vector<Record> records;
     std::map<uint32_t, StructureCache> structuresOf;  // per light; they outlive frames
+    std::set<std::string, std::less<>> told;
     if (!leftOut.empty()) fmt::print("{}\n", leftOut);
 
     std::optional<Grid> grid;  // of the frame before
@@ -114,6 +141,7 @@ bool shade(const ShadeOptions& options) {
             if (number == options.firstFrame) fmt::print("auto: {}\n", choice.why);
             chosen = {choice.technique};
         }
+        if (!options.quiet) printNotices(noticesOf(frame, chosen, options), told);
         FrameInputs inputs(passes, frame, options.width, options.height);
         for (uint32_t light = options.light.value_or(0); light <= options.light.value_or(lightCount - 1); ++light) {
             progress.show("view samples");
@@ -147,6 +175,7 @@ bool shade(const ShadeOptions& options) {
                 record.settings = Settings(technique->info().settings, options.settings).json();
                 record.settings.update(forFrame.json());
                 record.frame = number;
+                if (!file.clips().empty()) record.animation = file.clip() ? nlohmann::ordered_json(*file.clip()) : nlohmann::ordered_json("all");
                 record.light = light;
                 record.floorMs = floorMs;
                 for (const Effect& effect : effectsOf(file, frame, int(light))) record.effects.push_back(effect.name);

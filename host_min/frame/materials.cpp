@@ -28,10 +28,7 @@ uint32_t wrapBits(Wrap wrap) {
 
 std::array<uint8_t, 256> linearTable() {
     std::array<uint8_t, 256> table{};
-    for (size_t i = 0; i < table.size(); ++i) {
-        const double c = static_cast<double>(i) / 255;
-        table[i] = static_cast<uint8_t>(rounded(255 * (c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4))));
-    }
+    for (size_t i = 0; i < table.size(); ++i) table[i] = linearChannel(static_cast<uint8_t>(i));
     return table;
 }
 
@@ -87,7 +84,8 @@ std::vector<uint32_t> packTexels(const TextureImage& image) {
     std::vector<uint32_t> texels(image.rgba.size() / 4);
     for (size_t i = 0; i < texels.size(); ++i) {
         const uint8_t* c = &image.rgba[4 * i];
-        texels[i] = uint32_t{linear[c[0]]} | uint32_t{linear[c[1]]} << 8 | uint32_t{linear[c[2]]} << 16 | uint32_t{c[3]} << 24;
+        const auto channel = [&](int k) { return uint32_t{image.isLinear ? c[k] : linear[c[k]]} << 8 * k; };
+        texels[i] = channel(0) | channel(1) | channel(2) | uint32_t{c[3]} << 24;
     }
     return texels;
 }

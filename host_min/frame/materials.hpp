@@ -12,8 +12,7 @@ namespace gno::host {
 /// Numbers rounded to the integers of core/material.h; a half goes up.
 GnoMaterial packMaterial(const Material& material, const TextureImage* image, uint32_t firstTexel);
 
-/// Texels of core/material.h: round(255 * linear(c / 255)) for each of red, green and blue, where linear is sRGB's own function
-/// (c / 12.92 up to 0.04045, ((c + 0.055) / 1.055)^2.4 above); alpha as it is.
+/// Texels of core/material.h: linearChannel of each of red, green and blue, or as they are where the image is linear; alpha as it is.
 std::vector<uint32_t> packTexels(const TextureImage& image);
 
 class MaterialBuffers {

@@ -66,6 +66,7 @@ ordered_json toJson(const Record& record) {
     json["schema"] = 2;
     json["scene"] = record.scene;
     json["frame"] = record.frame;
+    json["animation"] = record.animation;
     json["light"] = record.light;
     json["technique"] = record.technique;
     json["precision"] = record.precision;
@@ -78,6 +79,7 @@ ordered_json toJson(const Record& record) {
     requireFinite(json["grid"]);
     json["triangles"] = record.triangles;
     json["casters"] = record.casters;
+    json["taken_for_opaque"] = record.takenForOpaque;
     json["samples"] = record.samples;
     json["in_shadow"] = record.inShadow;
     json["unknown"] = record.unknown;

@@ -50,13 +50,15 @@ struct RecordCheck {
 struct Record {
     std::string scene;
     uint32_t frame = 0, light = 0;
+    nlohmann::ordered_json animation;  ///< number of the applied one, or "all"; null: the file has none
     std::string technique, precision;
     nlohmann::ordered_json settings = nlohmann::ordered_json::object();  ///< of `--set`: name and value, defaults included
     RecordDevice device;
     std::array<uint32_t, 2> size{};
     RecordGrid grid;
-    uint64_t triangles = 0;  ///< in the scene
-    uint64_t casters = 0;    ///< left after culling
+    uint64_t triangles = 0;       ///< in the scene
+    uint64_t casters = 0;         ///< left after culling
+    uint64_t takenForOpaque = 0;  ///< triangles in the scene that are alpha-tested or coloured, where the technique does not look
     uint64_t samples = 0, inShadow = 0;
     uint64_t unknown = 0;            ///< samples that the technique had no answer for: a structure was not complete
     std::vector<RecordPass> passes;  ///< total_ms is their sum

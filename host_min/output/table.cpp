@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "host_min/scene/one_line.hpp"
+
 namespace gno::host {
 
 namespace {
 
 constexpr std::size_t kTextColumns = 2;  // technique and precision; the others are numbers
-constexpr const char *kGreen = "\033[32m", *kRed = "\033[31m", *kBold = "\033[1m", *kPlain = "\033[0m";
+constexpr const char *kGreen = "\033[32m", *kRed = "\033[31m", *kYellow = "\033[33m", *kBold = "\033[1m", *kPlain = "\033[0m";
 
 std::string ratio(double a, double b, const char* format) { return b > 0 ? fmt::format(fmt::runtime(format), a / b) : "-"; }
 
@@ -26,7 +28,15 @@ bool anyUnknown(std::span<const Record> records) {
     return std::any_of(records.begin(), records.end(), [](const Record& record) { return record.unknown > 0; });
 }
 
-std::vector<std::string> rowOf(const Record& record, double fastest, bool withUnknown, bool withCheck) {
+bool anyTakenForOpaque(std::span<const Record> records) {
+    return std::any_of(records.begin(), records.end(), [](const Record& record) { return record.takenForOpaque > 0; });
+}
+
+struct Extras {
+    bool takenForOpaque, unknown, check;
+};
+
+std::vector<std::string> rowOf(const Record& record, double fastest, const Extras& with) {
     const RecordCounters& counters = record.counters;
     const auto samples = static_cast<double>(record.samples);
     const double total = record.totalMs();
@@ -42,8 +52,9 @@ std::vector<std::string> rowOf(const Record& record, double fastest, bool withUn
                                     fmt::format("{:.2f}", total),
                                     ratio(total, fastest, "{:.2f}"),
                                     ratio(total, record.floorMs.value_or(0), "{:.1f}")};
-    if (withUnknown) row.push_back(std::to_string(record.unknown));
-    if (withCheck) {
+    if (with.takenForOpaque) row.push_back(std::to_string(record.takenForOpaque));
+    if (with.unknown) row.push_back(std::to_string(record.unknown));
+    if (with.check) {
         const auto add = [&](uint64_t number) { row.push_back(record.check ? std::to_string(number) : "-"); };
         const RecordCheck check = record.check.value_or(RecordCheck{});
         add(check.wrong);
@@ -56,6 +67,7 @@ std::vector<std::string> rowOf(const Record& record, double fastest, bool withUn
 const char* colorOf(const std::vector<std::string>& names, std::size_t column, const std::string& cell) {
     if (names[column] == "x fastest" && cell == "1.00") return kGreen;
     if (names[column] == "unknown" && cell != "0") return kRed;
+    if (names[column] == "taken as opaque" && cell != "0") return kYellow;
     if (names[column] == "wrong" && cell != "-") return cell == "0" ? kGreen : kRed;
     return nullptr;
 }
@@ -81,15 +93,16 @@ void appendRows(std::string& text, const std::vector<std::vector<std::string>>& 
 }  // namespace
 
 std::vector<std::vector<std::string>> tableCells(std::span<const Record> records) {
-    const bool withUnknown = anyUnknown(records), withCheck = anyCheck(records);
+    const Extras with{anyTakenForOpaque(records), anyUnknown(records), anyCheck(records)};
     std::vector<std::vector<std::string>> cells = {{"technique", "precision", "casters", "in shadow %", "visited/sample", "max stack", "overflows",
                                                     "build ms", "query ms", "total ms", "x fastest", "x floor"}};
-    if (withUnknown) cells[0].push_back("unknown");
-    if (withCheck) cells[0].insert(cells[0].end(), {"wrong", "leaks", "false dark"});
+    if (with.takenForOpaque) cells[0].push_back("taken as opaque");
+    if (with.unknown) cells[0].push_back("unknown");
+    if (with.check) cells[0].insert(cells[0].end(), {"wrong", "leaks", "false dark"});
     double fastest = 0;
     for (const Record& record : records)
         if (const double total = record.totalMs(); total > 0 && (fastest == 0 || total < fastest)) fastest = total;
-    for (const Record& record : records) cells.push_back(rowOf(record, fastest, withUnknown, withCheck));
+    for (const Record& record : records) cells.push_back(rowOf(record, fastest, with));
     return cells;
 }
 
@@ -100,8 +113,8 @@ std::string formatTable(std::span<const Record> records, bool color) {
         const auto end = std::find_if_not(records.begin(), records.end(), [&](const Record& record) { return sameFrame(first, record); });
         const auto count = static_cast<std::size_t>(end - records.begin());
         if (!text.empty()) text += '\n';
-        text += fmt::format("{}, frame {}, light {}: {}x{}, {} triangles, {} samples\n", first.scene, first.frame, first.light, first.size[0],
-                            first.size[1], first.triangles, first.samples);
+        text += fmt::format("{}, frame {}, light {}: {}x{}, {}, {}\n", oneLine(first.scene), first.frame, first.light, first.size[0], first.size[1],
+                            counted(first.triangles, "triangle"), counted(first.samples, "sample"));
         appendRows(text, tableCells(records.first(count)), color);
         if (anyCheck(records.first(count)))
             text += fmt::format(

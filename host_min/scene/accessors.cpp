@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "host_min/error.hpp"
+#include "host_min/scene/extensions.hpp"
 
 namespace gno::host {
 
@@ -78,6 +79,20 @@ bool isUnsigned(int componentType) {
            componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
 }
 
+// Throws where the bytes of a view are not what it stands for: a placeholder without any, or the compressed ones themselves.
+void checkUncompressed(const tinygltf::BufferView& view, int number, bool isEmpty) {
+    const char* name = meshoptOf(view.extensions);
+    if (name == nullptr) return;
+    const tinygltf::Value& from = view.extensions.at(name);
+    const auto member = [&](const char* key) {
+        return from.IsObject() && from.Has(key) && from.Get(key).IsNumber() ? from.Get(key).GetNumberAsDouble() : 0.0;
+    };
+    const double first = member("byteOffset"), last = first + member("byteLength");
+    const auto begin = static_cast<double>(view.byteOffset), end = begin + static_cast<double>(view.byteLength);
+    if (!isEmpty && (member("buffer") != view.buffer || last <= begin || end <= first)) return;
+    throw InputError(fmt::format("buffer view {} has its data in {} alone, which gnomon does not read; export the model without it", number, name));
+}
+
 }  // namespace
 
 Accessors::Accessors(const tinygltf::Model& model) : model_(model) {
@@ -91,6 +106,8 @@ Accessors::Layout Accessors::dense(int bufferView, size_t byteOffset, size_t cou
     if (view.buffer < 0 || static_cast<size_t>(view.buffer) >= model_.buffers.size())
         throw InputError(fmt::format("buffer view {}: buffer {} does not exist, there are {}", bufferView, view.buffer, model_.buffers.size()));
     const auto& data = model_.buffers[static_cast<size_t>(view.buffer)].data;
+    checkUncompressed(view, bufferView, data.empty());
+    if (data.empty()) throw InputError(fmt::format("{}: buffer {} refers to no data", what, view.buffer));
     if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
         throw InputError(fmt::format("buffer view {} reaches past the end of buffer {} ({} bytes)", bufferView, view.buffer, data.size()));
     const size_t element = componentBytes(componentType) * static_cast<size_t>(components);
@@ -125,6 +142,11 @@ Accessors::Layout Accessors::layout(int index, std::string_view what) const {
 }
 
 size_t Accessors::count(int accessor, std::string_view what) const { return layout(accessor, what).count; }
+
+int Accessors::type(int accessor, std::string_view what) const {
+    (void)layout(accessor, what);
+    return model_.accessors[static_cast<size_t>(accessor)].type;
+}
 
 void Accessors::applySparse(const tinygltf::Accessor& accessor, const Layout& whole, std::vector<double>& values, std::string_view what) const {
     const auto& sparse = accessor.sparse;

@@ -26,6 +26,9 @@ public:
     /// The number of elements of an accessor whose bounds hold.
     [[nodiscard]] size_t count(int accessor, std::string_view what) const;
 
+    /// Its type, a TINYGLTF_TYPE_*.
+    [[nodiscard]] int type(int accessor, std::string_view what) const;
+
     /// Unsigned integers of one component each.
     [[nodiscard]] std::vector<uint32_t> indices(int accessor, std::string_view what) const;
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Node animations: all of a file are applied, in file order, so that a later one wins.
+// Node animations. One clip of a file is applied, or all in file order, so that a later one wins.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "host_min/error.hpp"
+#include "host_min/scene/one_line.hpp"
 #include "host_min/scene/scene_data.hpp"
 
 namespace gno::host {
@@ -31,6 +33,8 @@ bool readPath(const std::string& name, Path& path) {
         path = Path::scale;
     else if (name == "weights")
         path = Path::weights;
+    else if (name == "visible")
+        path = Path::visible;  // resolvePointers
     else
         return false;
     return true;
@@ -86,28 +90,35 @@ void sample(const ChannelData& channel, double seconds, std::vector<double>& out
 
 }  // namespace
 
-std::vector<ChannelData> loadAnimations(const tinygltf::Model& model, Accessors& accessors, const SceneFile::Data& data) {
-    std::vector<ChannelData> channels;
+std::vector<ClipData> loadAnimations(const tinygltf::Model& model, Accessors& accessors, const SceneFile::Data& data, Notices& notices) {
+    std::vector<ClipData> clips;
     for (size_t a = 0; a < model.animations.size(); ++a) {
         const tinygltf::Animation& animation = model.animations[a];
+        ClipData& clip = clips.emplace_back();
+        clip.name = oneLine(animation.name);
         for (size_t c = 0; c < animation.channels.size(); ++c) {
             const auto& from = animation.channels[c];
             const std::string what = fmt::format("animation {} channel {}", a, c);
             ChannelData channel;
             if (from.sampler < 0 || static_cast<size_t>(from.sampler) >= animation.samplers.size())
                 throw InputError(fmt::format("{}: sampler {} does not exist, there are {}", what, from.sampler, animation.samplers.size()));
-            if (from.target_node < 0 || !readPath(from.target_path, channel.path)) continue;  // aims at nothing that we know
+            if (from.target_node < 0 || !readPath(from.target_path, channel.path)) continue;  // resolvePointers told of it
             if (static_cast<size_t>(from.target_node) >= data.nodes.size())
                 throw InputError(fmt::format("{}: node {} does not exist, there are {}", what, from.target_node, data.nodes.size()));
             channel.node = static_cast<uint32_t>(from.target_node);
-            const bool isWeights = channel.path == Path::weights;
-            channel.width = isWeights ? data.nodes[channel.node].weights.size() : channel.path == Path::rotation ? 4 : 3;
-            if (channel.width == 0) continue;  // weights of a node without morph targets
+            const bool isWeights = channel.path == Path::weights, isVisible = channel.path == Path::visible;
+            channel.width = isWeights ? data.nodes[channel.node].weights.size() : channel.path == Path::rotation ? 4 : isVisible ? 1 : 3;
+            if (channel.width == 0) {
+                notices.add(fmt::format("animation of the weights of node {}: not applied, its mesh has no morph targets", channel.node));
+                continue;
+            }
             const auto& sampler = animation.samplers[static_cast<size_t>(from.sampler)];
             channel.interpolation = readInterpolation(sampler.interpolation, what);
+            if (isVisible && channel.interpolation != Interpolation::step)
+                throw InputError(what + ": a visibility is true or false, its interpolation has to be STEP");
             channel.times = accessors.shared(sampler.input, TINYGLTF_TYPE_SCALAR, what + " input");
             checkTimes(*channel.times, what);
-            const int type = isWeights ? TINYGLTF_TYPE_SCALAR : channel.width == 4 ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3;
+            const int type = isWeights || isVisible ? TINYGLTF_TYPE_SCALAR : channel.width == 4 ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3;
             channel.values = accessors.shared(sampler.output, type, what + " output");
             const size_t wanted = channel.times->size() * channel.width * (channel.interpolation == Interpolation::cubic ? 3 : 1);
             if (channel.values->size() != wanted)
@@ -115,10 +126,40 @@ std::vector<ChannelData> loadAnimations(const tinygltf::Model& model, Accessors&
                     fmt::format("{}: {} numbers for {} times, {} are needed", what, channel.values->size(), channel.times->size(), wanted));
             for (const double value : *channel.values)
                 if (!(std::abs(value) <= kLargestNumber)) throw InputError(what + ": a value is not finite");
-            channels.push_back(std::move(channel));
+            clip.channels.push_back(std::move(channel));
         }
     }
-    return channels;
+    return clips;
+}
+
+double ClipData::lastKeyframe() const {
+    double last = 0;
+    for (const ChannelData& channel : channels) last = std::max(last, channel.times->back());
+    return last;
+}
+
+int clipByWord(const std::vector<ClipData>& clips, const std::string& word) {
+    if (clips.empty()) throw InputError(fmt::format("--animation {}: the file has no animations", oneLine(word)));
+    if (word == "all") return kAllClips;
+    size_t number = clips.size();
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error == std::errc{} && end == word.data() + word.size() && number < clips.size()) return static_cast<int>(number);
+    std::vector<std::pair<size_t, std::string>> all;
+    int found = -1, same = 0;
+    for (size_t i = 0; i < clips.size(); ++i) {
+        all.emplace_back(i, clips[i].name);
+        if (clips[i].name != oneLine(word)) continue;
+        found = static_cast<int>(i);
+        ++same;
+    }
+    if (same == 1) return found;
+    if (same > 1) throw InputError(fmt::format("--animation {}: {} animations are called so; give the number", oneLine(word), same));
+    throw InputError(fmt::format("--animation {}: there is none; the file has {}", oneLine(word), enumerated(all)));
+}
+
+std::span<const ClipData> appliedClips(const SceneFile::Data& data) {
+    const std::span all(data.clips);
+    return data.clip == kAllClips || all.empty() ? all : all.subspan(static_cast<size_t>(data.clip), 1);
 }
 
 Pose poseAt(const SceneFile::Data& data, double seconds) {
@@ -131,18 +172,24 @@ Pose poseAt(const SceneFile::Data& data, double seconds) {
     Pose pose;
     local.reserve(data.nodes.size());
     pose.weights.reserve(data.nodes.size());
+    pose.visible.reserve(data.nodes.size());
     for (const NodeData& node : data.nodes) {
         local.push_back({node.translation, node.scale, node.rotation, node.hasMatrix});
         pose.weights.push_back(node.weights);
+        pose.visible.push_back(node.isVisible);
     }
     std::vector<double> value;
-    for (const ChannelData& channel : data.channels) {
+    const auto apply = [&](const ChannelData& channel) {
         sample(channel, seconds, value);
-        Local& target = local[channel.node];
         if (channel.path == Path::weights) {
             pose.weights[channel.node] = value;
-            continue;
+            return;
         }
+        if (channel.path == Path::visible) {
+            pose.visible[channel.node] = value[0] != 0;
+            return;
+        }
+        Local& target = local[channel.node];
         target.hasMatrix = false;
         if (channel.path == Path::translation) target.translation = {value[0], value[1], value[2]};
         if (channel.path == Path::scale) target.scale = {value[0], value[1], value[2]};
@@ -151,12 +198,15 @@ Pose poseAt(const SceneFile::Data& data, double seconds) {
             const double length = glm::length(q);
             if (length > 0) target.rotation = q / length;  // NaN or zero, between opposite keys: the node keeps its rotation
         }
-    }
+    };
+    for (const ClipData& clip : appliedClips(data))
+        for (const ChannelData& channel : clip.channels) apply(channel);
     pose.world.resize(data.nodes.size());
     for (const uint32_t i : data.order) {
         const NodeData& node = data.nodes[i];
         const glm::dmat4 own = local[i].hasMatrix ? node.matrix : composed(local[i].translation, local[i].rotation, local[i].scale);
         pose.world[i] = node.parent < 0 ? own : pose.world[static_cast<size_t>(node.parent)] * own;
+        if (node.parent >= 0 && !pose.visible[static_cast<size_t>(node.parent)]) pose.visible[i] = 0;
         if (node.inScene) checkMatrix(pose.world[i], fmt::format("node {}", i));
     }
     return pose;

@@ -72,7 +72,8 @@ private:
         frame_.surfaceOf.resize(frame_.triangles.size(), kOpaque);
         if (isOpaque) return;
         frame_.surfaceOf.back() = static_cast<uint32_t>(frame_.surfaces.size());
-        Surface& surface = frame_.surfaces.emplace_back(Surface{primitive.corners[triangle], primitive.material});
+        const uint32_t material = primitive.coloured.empty() ? primitive.material : primitive.coloured[triangle];
+        Surface& surface = frame_.surfaces.emplace_back(Surface{primitive.corners[triangle], material});
         if (isMirrored) std::swap(surface.corners[1], surface.corners[2]);
     }
 
@@ -119,6 +120,10 @@ Frame evaluateFrame(const SceneFile::Data& data, double seconds, const View& vie
     if (!frame.surfaces.empty()) frame.look = data.look;
     frame.facts.duplicates = countDuplicates(frame.triangles);
     frame.camera = onGrid(cameraAt(data, pose, view.camera), frame.grid);
+    constexpr double kNarrowest = 0x1p-30;  // some thousand steps of the grid, which all pixels would have to share
+    if (!frame.camera.perspective && frame.camera.ymag < kNarrowest)
+        throw InputError(fmt::format("camera {}: its ymag is too small for this scene, whose positions it would not tell apart", view.camera));
+    for (std::string& notice : frameNotices(data, pose, frame)) frame.facts.notices.push_back(std::move(notice));
     frame.low = frame.high = frame.triangles.front().a;
     for (const Triangle& t : frame.triangles) {
         frame.low = glm::min(frame.low, glm::min(t.a, glm::min(t.b, t.c)));

@@ -3,15 +3,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string_view>
 
 #include "host_min/error.hpp"
+#include "host_min/scene/extensions.hpp"
 #include "host_min/scene/json_guard.hpp"
 #include "host_min/scene/one_line.hpp"
+#include "host_min/scene/uri.hpp"
 
 namespace gno::host {
 
@@ -19,6 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Bytes = std::vector<unsigned char>;
+using Json = nlohmann::json;
 
 constexpr uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr size_t kHeader = 12, kChunkHeader = 8;
@@ -28,14 +34,11 @@ uint32_t wordAt(const Bytes& bytes, size_t offset) {  // little endian
            static_cast<uint32_t>(bytes[offset + 3]) << 24;
 }
 
-void appendWord(Bytes& bytes, size_t word) {
-    for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<unsigned char>(word >> shift & 0xFF));
-}
-
 std::string_view view(const Bytes& bytes, size_t offset, size_t length) { return {reinterpret_cast<const char*>(bytes.data()) + offset, length}; }
 
 struct Chunks {
-    std::string_view json, binary;
+    std::string_view json;
+    std::optional<std::string_view> binary;
 };
 
 Chunks splitGlb(const Bytes& bytes) {
@@ -58,49 +61,40 @@ Chunks splitGlb(const Bytes& bytes) {
     return chunks;
 }
 
-// A GLB as tinygltf wants it: aligned chunks, and no more than it needs.
-Bytes joinGlb(std::string json, std::string_view binary) {
-    json.append((4 - json.size() % 4) % 4, ' ');
-    const size_t binarySize = (binary.size() + 3) / 4 * 4;
-    const size_t total = kHeader + kChunkHeader + json.size() + (binarySize > 0 ? kChunkHeader + binarySize : 0);
-    if (total > std::numeric_limits<uint32_t>::max()) throw InputError("is larger than 4 GiB");
+// One buffer of the file. A buffer without bytes of its own stays empty: only a fallback of compressed data may be one (accessors.cpp).
+Bytes readBuffer(const Json& from, size_t index, const fs::path& folder, const std::optional<std::string_view>& binary) {
+    const std::string what = fmt::format("buffer {}", index);
+    if (!from.is_object()) throw InputError(fmt::format("{} is no object", what));
+    const auto length = from.find("byteLength");
+    if (length == from.end() || !length->is_number_unsigned() || length->get<uint64_t>() == 0 || length->get<uint64_t>() >= 1ull << 31)
+        throw InputError(fmt::format("{}: byteLength is not a whole number in [1, 2^31)", what));
+    const auto size = static_cast<size_t>(length->get<uint64_t>());
     Bytes bytes;
-    bytes.reserve(total);
-    for (const size_t word : {size_t{kMagic}, size_t{2}, total, json.size(), size_t{kJsonChunk}}) appendWord(bytes, word);
-    bytes.insert(bytes.end(), json.begin(), json.end());
-    if (binarySize > 0) {
-        appendWord(bytes, binarySize);
-        appendWord(bytes, kBinaryChunk);
-        bytes.insert(bytes.end(), binary.begin(), binary.end());
-        bytes.resize(total, 0);
+    if (const auto uri = from.find("uri"); uri != from.end()) {
+        if (!uri->is_string()) throw InputError(fmt::format("{}: its uri is no text", what));
+        bytes = readUri(folder, uri->get<std::string>(), what);
+    } else if (index == 0 && binary && !isFallbackBuffer(from)) {
+        const auto* first = reinterpret_cast<const unsigned char*>(binary->data());
+        bytes.assign(first, first + std::min(binary->size(), size));
+    } else {
+        return bytes;
     }
+    if (bytes.size() < size) throw InputError(fmt::format("{}: byteLength is {}, its data have {} bytes", what, size, bytes.size()));
+    bytes.resize(size);
     return bytes;
 }
 
-bool readBuffer(Bytes* out, std::string* error, const std::string& path, void*) {
-    try {
-        *out = readWholeFile(path);
-        return true;
-    } catch (const InputError& reason) {
-        *error += reason.what();
-        return false;
-    }
+void readBuffers(const Json& lists, const fs::path& folder, const std::optional<std::string_view>& binary, tinygltf::Model& model) {
+    const auto found = lists.find("buffers");
+    if (found == lists.end()) return;
+    if (!found->is_array()) throw InputError("buffers is not an array");
+    for (size_t i = 0; i < found->size(); ++i) model.buffers.emplace_back().data = readBuffer((*found)[i], i, folder, binary);
 }
 
-// tinygltf would also look into the current directory.
-bool isFileBeside(const std::string& path, void* folder) {
-    std::error_code error;
-    return path.starts_with(*static_cast<const std::string*>(folder)) && fs::exists(path, error);
-}
-
-tinygltf::TinyGLTF makeReader(std::string& folder) {
-    tinygltf::TinyGLTF reader;
-    const auto ignoreImage = [](tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
-        return true;
-    };
-    reader.SetImageLoader(ignoreImage, nullptr);
-    reader.SetFsCallbacks({isFileBeside, [](const std::string& wanted, void*) { return wanted; }, readBuffer, nullptr, &folder});
-    return reader;
+// tinygltf opens no file: buffers and images are ours.
+tinygltf::FsCallbacks withoutFiles() {
+    return {[](const std::string&, void*) { return false; }, [](const std::string& name, void*) { return name; },
+            [](Bytes*, std::string*, const std::string&, void*) { return false; }, nullptr, nullptr};
 }
 
 }  // namespace
@@ -125,31 +119,27 @@ std::vector<unsigned char> readWholeFile(const fs::path& path) {
 
 fs::path folderOf(const fs::path& model) { return model.has_parent_path() ? model.parent_path() : fs::path("."); }
 
-tinygltf::Model openGltf(const fs::path& path, std::vector<std::string>& ignored, nlohmann::json& textureLists) {
+tinygltf::Model openGltf(const fs::path& path, Notices& notices, Json& lists) {
     const Bytes bytes = readWholeFile(path);
     const bool isGlb = bytes.size() >= 4 && wordAt(bytes, 0) == kMagic;
     const std::string_view all = view(bytes, 0, bytes.size());
     if (const size_t first = all.find_first_not_of(" \t\r\n\xEF\xBB\xBF"); !isGlb && (first == all.npos || all[first] != '{'))
         throw InputError("is not a glTF file: it starts neither with the GLB magic nor with a JSON object");
 
+    const Chunks chunks = isGlb ? splitGlb(bytes) : Chunks{all, {}};
+    const std::string json = guardJson(chunks.json, notices, lists);
     tinygltf::Model model;
     std::string error, warning;
     bool done = false;
-    const Chunks chunks = isGlb ? splitGlb(bytes) : Chunks{all, {}};
-    const std::string json = guardJson(chunks.json, ignored, textureLists);
-    std::string folder = folderOf(path).string();
     try {
-        auto reader = makeReader(folder);
-        if (isGlb) {
-            const Bytes glb = joinGlb(json, chunks.binary);
-            done = reader.LoadBinaryFromMemory(&model, &error, &warning, glb.data(), static_cast<unsigned>(glb.size()), folder);
-        } else {
-            done = reader.LoadASCIIFromString(&model, &error, &warning, json.data(), static_cast<unsigned>(json.size()), folder);
-        }
+        tinygltf::TinyGLTF reader;
+        reader.SetFsCallbacks(withoutFiles());
+        done = reader.LoadASCIIFromString(&model, &error, &warning, json.data(), static_cast<unsigned>(json.size()), "");
     } catch (const std::exception& reason) {
         throw InputError(fmt::format("is not valid glTF: {}", oneLine(reason.what())));
     }
     if (!done) throw InputError(fmt::format("is not valid glTF: {}", oneLine(error)));
+    readBuffers(lists, folderOf(path), chunks.binary, model);
     return model;
 }
 

@@ -8,11 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "host_min/scene/notices.hpp"
+
 namespace gno::host {
 
-/// Reads a .glb or .gltf file (told apart by their first bytes) with its buffers; images are left alone.
-/// Throws InputError without the path in its text. `ignored` and `textureLists`: see guardJson.
-tinygltf::Model openGltf(const std::filesystem::path& path, std::vector<std::string>& ignored, nlohmann::json& textureLists);
+/// Reads a .glb or .gltf file (told apart by their first bytes) with its buffers; images are left alone. A buffer that refers to no bytes is empty.
+/// Throws InputError without the path in its text. `notices` and `lists`: see guardJson.
+tinygltf::Model openGltf(const std::filesystem::path& path, Notices& notices, nlohmann::json& lists);
 
 /// Where the files lie that a model refers to.
 std::filesystem::path folderOf(const std::filesystem::path& model);

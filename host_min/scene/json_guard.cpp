@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "host_min/error.hpp"
+#include "host_min/scene/extensions.hpp"
 #include "host_min/scene/one_line.hpp"
 
 namespace gno::host {
@@ -36,30 +37,6 @@ void checkDepth(std::string_view text) {
         } else if (c == '}' || c == ']') {
             --depth;
         }
-    }
-}
-
-// Extensions that change materials, textures or metadata, never a triangle.
-bool changesNoGeometry(std::string_view name) {
-    static const std::array<std::string_view, 6> prefixes{"KHR_materials_", "EXT_materials_", "ADOBE_materials_",
-                                                          "KHR_texture_",   "EXT_texture_",   "KHR_xmp"};
-    return name == "MSFT_texture_dds" || std::any_of(prefixes.begin(), prefixes.end(), [&](auto p) { return name.starts_with(p); });
-}
-
-const Names kHandled{"KHR_lights_punctual", "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_materials_transmission",
-                     "KHR_texture_transform"};
-
-void checkRequiredExtensions(const Json& root, std::vector<std::string>& ignored) {
-    const auto required = root.find("extensionsRequired");
-    if (required == root.end()) return;
-    if (!required->is_array()) throw InputError("extensionsRequired is not an array");
-    for (const Json& entry : *required) {
-        if (!entry.is_string()) throw InputError("extensionsRequired holds something that is no name");
-        const auto name = entry.get<std::string>();
-        if (isOneOf(kHandled, name)) continue;
-        if (!changesNoGeometry(name))
-            throw InputError(fmt::format("it requires the extension {}, which gnomon does not read; export the model without it", oneLine(name)));
-        ignored.push_back(oneLine(name));
     }
 }
 
@@ -100,6 +77,11 @@ void checkMember(std::string_view key, const Json& value) {
                              "materials", "meshes",     "primitives", "samplers",    "scenes",  "skins"};
     if (isOneOf(whole, key)) checkWhole(value, key);
     if (key == "indices" && !value.is_object()) checkWhole(value, key);
+    if (key == "visible" && !value.is_boolean()) throw InputError("KHR_node_visibility: visible is neither true nor false");
+    if (key == "diffuseTexture" || key == "transmissionTexture") {  // tinygltf passes empty objects over
+        if (!value.is_object()) throw InputError(fmt::format("{} is no object", key));
+        if (!value.contains("index")) throw InputError(fmt::format("{} has no index", key));
+    }
     if (key == "attributes") checkWholeMembers(value, key);
     if (key == "matrix") checkNumbers(value, key, 16);
     if (key == "rotation") checkNumbers(value, key, 4);
@@ -119,30 +101,35 @@ void checkMember(std::string_view key, const Json& value) {
     }
 }
 
-void pruneAndCheck(Json& value) {
+// `met`: extensions that were taken out.
+void pruneAndCheck(Json& value, std::set<std::string>& met) {
     if (value.is_array()) {
-        for (Json& entry : value) pruneAndCheck(entry);
+        for (Json& entry : value) pruneAndCheck(entry, met);
         return;
     }
     if (!value.is_object()) return;
     for (const char* key :
-         {"extras", "normalTexture", "occlusionTexture", "emissiveTexture", "metallicRoughnessTexture", "transmissionTexture", "min", "max"})
+         {"extras", "normalTexture", "occlusionTexture", "emissiveTexture", "metallicRoughnessTexture", "specularGlossinessTexture", "min", "max"})
         value.erase(key);
     if (const auto extensions = value.find("extensions"); extensions != value.end()) {
         if (!extensions->is_object()) throw InputError("extensions is not an object");
-        for (auto it = extensions->begin(); it != extensions->end();) it = isOneOf(kHandled, it.key()) ? std::next(it) : extensions->erase(it);
+        for (auto it = extensions->begin(); it != extensions->end();) {
+            if (!isReadExtension(it.key())) met.insert(it.key());
+            it = isReadExtension(it.key()) ? std::next(it) : extensions->erase(it);
+        }
     }
     for (auto& [key, member] : value.items()) {
-        if (isOneOf(kHandled, key) && !member.is_object()) throw InputError(fmt::format("{} is not an object", key));
-        if (key == "KHR_texture_transform") continue;  // its scale and rotation are not a node's; Textures checks them
+        if (isReadExtension(key) && !member.is_object()) throw InputError(fmt::format("{} is not an object", key));
+        if (key == "KHR_texture_transform") continue;         // its scale and rotation are not a node's; Textures checks them
+        if (key.ends_with("_meshopt_compression")) continue;  // its mode is not a primitive's; only that it is there matters
         checkMember(key, member);
-        pruneAndCheck(member);
+        pruneAndCheck(member, met);
     }
 }
 
 }  // namespace
 
-std::string guardJson(std::string_view text, std::vector<std::string>& ignored, Json& textureLists) {
+std::string guardJson(std::string_view text, Notices& notices, Json& lists) {
     checkDepth(text);
     Json root;
     try {
@@ -152,16 +139,20 @@ std::string guardJson(std::string_view text, std::vector<std::string>& ignored, 
     }
     if (!root.is_object()) throw InputError("not a glTF file: its JSON is not an object");
     checkVersion(root);
-    checkRequiredExtensions(root, ignored);
-    // Top-level lists of textures; animations[].samplers is another thing and stays.
-    textureLists = Json::object();
-    for (const char* key : {"images", "textures", "samplers"}) {
+    checkRequiredExtensions(root);
+    // Top-level lists that tinygltf need not see; animations[].samplers is another thing and stays.
+    lists = Json::object();
+    for (const char* key : {"buffers", "images", "textures", "samplers"}) {
         const auto found = root.find(key);
         if (found == root.end()) continue;
-        textureLists[key] = std::move(*found);
+        lists[key] = std::move(*found);
         root.erase(found);
     }
-    pruneAndCheck(root);
+    std::set<std::string> met;
+    pruneAndCheck(root, met);
+    tellOfExtensions(root, met, notices);
+    checkCompression(root, notices);
+    resolvePointers(root, notices);
     return root.dump();
 }
 

@@ -4,14 +4,15 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "host_min/scene/notices.hpp"
 
 namespace gno::host {
 
-/// Checks a glTF file's JSON text and returns it without what tinygltf need not see (images, textures, extras, foreign extensions).
-/// Throws InputError: not JSON, nested too deeply, not glTF 2.0, a required extension we lack, a reference or size that is no whole number
-/// in [0, 2^31), a transformation of the wrong length. `ignored` receives the required extensions that concern textures and materials only and are
-/// not read; `textureLists` the file's images, textures and samplers as they are, unchecked.
-std::string guardJson(std::string_view text, std::vector<std::string>& ignored, nlohmann::json& textureLists);
+/// Checks a glTF file's JSON text and returns it without what tinygltf need not see (buffers, images, textures, extras, foreign extensions; channels
+/// of animations that aim at nothing that is read). Throws InputError: not JSON, nested too deeply, not glTF 2.0, an extension that is needed and
+/// not read, a reference or size that is no whole number in [0, 2^31), a transformation of the wrong length. `notices` receives what is not used;
+/// `lists` the file's buffers, images, textures and samplers as they are, unchecked.
+std::string guardJson(std::string_view text, Notices& notices, nlohmann::json& lists);
 
 }  // namespace gno::host

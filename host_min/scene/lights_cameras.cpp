@@ -51,8 +51,8 @@ Light readLight(const tinygltf::Light& from, size_t index) {
     if (light.kind == Light::Kind::spot) {
         light.innerCone = static_cast<float>(from.spot.innerConeAngle);
         light.outerCone = static_cast<float>(from.spot.outerConeAngle);
-        check(light.innerCone >= 0 && light.outerCone > light.innerCone && light.outerCone < 1.5708f,
-              what + ": its cone angles do not satisfy 0 <= inner < outer <= pi/2");
+        check(light.innerCone >= 0 && light.outerCone >= light.innerCone && light.outerCone > 0 && light.outerCone < 1.5708f,
+              what + ": its cone angles do not satisfy 0 <= inner <= outer <= pi/2, outer > 0");
     }
     return light;
 }
@@ -67,6 +67,8 @@ Camera readCamera(const tinygltf::Camera& from, size_t index) {
         camera.yfov = from.perspective.yfov;
         camera.znear = from.perspective.znear;
         camera.zfar = from.perspective.zfar;
+        camera.fileAspect = from.perspective.aspectRatio;
+        check(camera.fileAspect >= 0 && camera.fileAspect <= kLargestNumber, what + ": aspectRatio is not positive");
         check(camera.yfov > 0 && camera.yfov < 3.1415926, what + ": yfov is not between 0 and pi");
         check(isLength(camera.znear), what + ": znear is not positive");
         check(camera.zfar == 0 || (camera.zfar > camera.znear && isLength(camera.zfar)), what + ": zfar is not beyond znear");
@@ -77,6 +79,7 @@ Camera readCamera(const tinygltf::Camera& from, size_t index) {
     camera.znear = from.orthographic.znear;
     camera.zfar = from.orthographic.zfar;
     check(isLength(camera.xmag) && isLength(camera.ymag), what + ": xmag or ymag is zero or not finite");
+    camera.fileAspect = camera.xmag / camera.ymag;
     check(camera.znear >= 0 && camera.zfar > camera.znear && isLength(camera.zfar), what + ": znear and zfar do not satisfy 0 <= znear < zfar");
     return camera;
 }

@@ -2,6 +2,7 @@
 // What the casters of a scene are made of, as far as light passes through them (the definition: glsl/core/transmittance.glsl).
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -18,7 +19,7 @@ struct Material {
     Alpha alpha = Alpha::opaque;
     float alphaCutoff = 0.5f;
     glm::vec4 baseColor{0.8f, 0.8f, 0.8f, 1.0f};  ///< linear, glTF baseColorFactor
-    float transmission = 0;                       ///< KHR_materials_transmission: its factor (its texture is not read)
+    float transmission = 0;                       ///< KHR_materials_transmission: its factor
     bool textured = false;                        ///< has a base colour texture
     int image = -1;                               ///< index into MaterialSet::images; -1: none, or an opaque material, whose image nobody needs
     Wrap wrapU = Wrap::repeat, wrapV = Wrap::repeat;
@@ -33,10 +34,17 @@ struct Material {
 struct TextureImage {
     uint32_t width = 0, height = 0;
     std::vector<uint8_t> rgba;
+    bool isLinear = false;  ///< red, green and blue are linear, and the transmission texture is multiplied in
 };
 
+/// sRGB's own function: c / 12.92 up to 0.04045, ((c + 0.055) / 1.055)^2.4 above, rounded.
+inline uint8_t linearChannel(uint8_t srgb) {
+    const double c = static_cast<double>(srgb) / 255;
+    return static_cast<uint8_t>(std::floor(255 * (c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4)) + 0.5));
+}
+
 struct MaterialSet {
-    std::vector<Material> materials;   ///< the last entry is glTF's default material
+    std::vector<Material> materials;   ///< the file's, glTF's default material, and those with vertex colours multiplied in
     std::vector<TextureImage> images;  ///< those of the materials that are not opaque
 };
 

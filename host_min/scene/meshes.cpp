@@ -110,6 +110,28 @@ std::vector<std::array<glm::ivec2, 3>> readCorners(const tinygltf::Primitive& pr
     return corners;
 }
 
+// Materials of a primitive's triangles with its vertex colours multiplied in; empty without any.
+std::vector<uint32_t> readColours(const tinygltf::Primitive& primitive, Accessors& accessors, Textures& textures, uint32_t material,
+                                  const std::vector<glm::uvec3>& triangles, size_t vertexCount, const std::string& what) {
+    const int index = attribute(primitive.attributes, "COLOR_0");
+    if (index < 0) return {};
+    const bool hasAlpha = accessors.type(index, what + " COLOR_0") == TINYGLTF_TYPE_VEC4;
+    const std::vector<double>& values = accessors.values(index, hasAlpha ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3, what + " COLOR_0");
+    const size_t width = hasAlpha ? 4 : 3;
+    if (values.size() != vertexCount * width)
+        throw InputError(fmt::format("{}: COLOR_0 has {} entries for {} vertices", what, values.size() / width, vertexCount));
+    for (const double value : values)
+        if (!(std::abs(value) <= kLargestNumber)) throw InputError(fmt::format("{}: COLOR_0 is not finite", what));
+    const auto at = [&](uint32_t vertex) {
+        const double* value = values.data() + size_t{vertex} * width;
+        return glm::clamp(glm::dvec4(value[0], value[1], value[2], hasAlpha ? value[3] : 1.0), 0.0, 1.0);
+    };
+    std::vector<uint32_t> coloured;
+    coloured.reserve(triangles.size());
+    for (const glm::uvec3& t : triangles) coloured.push_back(textures.coloured(material, {at(t.x), at(t.y), at(t.z)}));
+    return coloured;
+}
+
 PrimitiveData loadPrimitive(const tinygltf::Primitive& primitive, Accessors& accessors, Textures& textures, uint64_t& displacements,
                             const std::string& what) {
     const int position = attribute(primitive.attributes, "POSITION");
@@ -118,8 +140,10 @@ PrimitiveData loadPrimitive(const tinygltf::Primitive& primitive, Accessors& acc
     PrimitiveData result;
     result.triangles = readTriangles(primitive, accessors, vertexCount, what);
     result.material = textures.use(primitive.material);
-    if (!textures.material(result.material).isOpaque())
+    if (!textures.material(result.material).isOpaque()) {
         result.corners = readCorners(primitive, accessors, textures, result.material, result.triangles, vertexCount, what);
+        result.coloured = readColours(primitive, accessors, textures, result.material, result.triangles, vertexCount, what);
+    }
     const std::vector<uint32_t> kept = keepUsed(result.triangles, vertexCount, what);
     result.positions = gather(positions, kept, what);
     displacements += uint64_t{kept.size()} * primitive.targets.size();

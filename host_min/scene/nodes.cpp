@@ -100,6 +100,8 @@ NodeData readNode(const tinygltf::Model& model, size_t index, Accessors& accesso
         if (!light->second.Has("light")) throw InputError(what + ": KHR_lights_punctual names no light");
         node.light = checkReference(light->second.Get("light").Get<int>(), model.lights.size(), "light", index);
     }
+    if (const auto visibility = from.extensions.find("KHR_node_visibility"); visibility != from.extensions.end())
+        node.isVisible = !visibility->second.Has("visible") || visibility->second.Get("visible").Get<bool>();  // guardJson saw that it is one
     if (node.mesh >= 0) {
         const MeshData& mesh = meshes[static_cast<size_t>(node.mesh)];
         node.weights = from.weights.empty() ? mesh.weights : from.weights;

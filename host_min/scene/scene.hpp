@@ -41,6 +41,7 @@ struct Camera {
     double yfov = 0.8;               ///< perspective: vertical field of view, radians
     double xmag = 1, ymag = 1;       ///< orthographic: half extents, grid units; xmag is replaced by ymag * aspect
     double znear = 0.01, zfar = 0;   ///< grid units; zfar = 0: infinite (perspective only)
+    double fileAspect = 0;           ///< width / height that the file names, 0: none; not used, the picture's own goes before
     bool isDefault = false;
 
     /// Clip from grid position; Vulkan conventions: y down, depth reversed (1 at znear, 0 at zfar or infinity). `aspect` = width / height.
@@ -79,7 +80,7 @@ struct SceneFacts {
     uint64_t closedTriangles = 0;  ///< triangles of closed, consistently oriented meshes
     uint32_t objects = 0;          ///< mesh instances
     uint32_t lightsInFile = 0, camerasInFile = 0, animations = 0, skins = 0, morphTargets = 0;
-    std::vector<std::string> ignoredExtensions;  ///< required by the file; they concern textures and materials only, and are not read
+    std::vector<std::string> notices;  ///< what is not used or taken for something else, one line each: "SUBJECT: what becomes of it"
 };
 
 /// One frame of a scene. All vectors with one entry per triangle have the same length and order.
@@ -102,23 +103,31 @@ struct Frame {
 
 inline constexpr double kFramesPerSecond = 30.0;
 
+/// An animation of the file.
+struct Clip {
+    std::string name;
+    double lastKeyframe = 0;  ///< seconds
+};
+
 /// A loaded glTF 2.0 file (.gltf or .glb). Everything in it was checked: evaluating a frame cannot fail on its account.
 class SceneFile {
 public:
     /// Throws InputError: missing, truncated, not glTF, an accessor or index out of bounds, a required extension that changes geometry,
     /// no triangle at all, a position that is not finite; an image that cannot be read, or missing texture coordinates, of a material that
-    /// is not opaque.
-    static SceneFile load(const std::filesystem::path& path);
+    /// is not opaque; `animation` (a number, a name or "all"; empty: the first one) means none of the file's.
+    static SceneFile load(const std::filesystem::path& path, const std::string& animation = {});
 
     SceneFile(SceneFile&&) noexcept;
     SceneFile& operator=(SceneFile&&) noexcept;
     ~SceneFile();
 
     [[nodiscard]] const std::filesystem::path& path() const;
-    [[nodiscard]] const std::vector<Material>& materials() const;  ///< the last entry is glTF's default material
+    [[nodiscard]] const std::vector<Material>& materials() const;  ///< the file's, glTF's default one, and the file's with vertex colours
     [[nodiscard]] uint32_t cameraCount() const;                    ///< at least 1: the default one when the file has none
     [[nodiscard]] uint32_t lightCount() const;                     ///< at least 1: defaults (0: point, 1: directional) when the file has none
-    [[nodiscard]] double lastKeyframe() const;                     ///< seconds; 0 without animations
+    [[nodiscard]] double lastKeyframe() const;                     ///< of what is applied, seconds; 0 without animations
+    [[nodiscard]] std::vector<Clip> clips() const;                 ///< all of the file
+    [[nodiscard]] std::optional<uint32_t> clip() const;            ///< the applied one; none: all, or the file has none
 
     /// The scene at `frame` / kFramesPerSecond seconds (animations are clamped at their ends). Throws InputError when the camera or the light is out
     /// of range, or an animated position is not finite. Its grid is View::before's, or without one that of frame 0, as long as that holds all

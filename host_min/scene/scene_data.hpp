@@ -7,10 +7,12 @@
 #include <filesystem>
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "host_min/scene/accessors.hpp"
+#include "host_min/scene/notices.hpp"
 #include "host_min/scene/scene.hpp"
 #include "host_min/scene/textures.hpp"
 
@@ -19,7 +21,8 @@ namespace gno::host {
 inline constexpr uint64_t kMostTriangles = 1ull << 26;      ///< of all instances; keeps a small hostile file from asking for all memory
 inline constexpr uint64_t kMostDisplacements = 1ull << 26;  ///< of all morph targets together
 inline constexpr uint64_t kMostInstances = 1ull << 20;      ///< of EXT_mesh_gpu_instancing
-inline constexpr double kLargestNumber = 1e30;              ///< of matrices and world positions: products of a few stay finite
+inline constexpr int kAllClips = -1;
+inline constexpr double kLargestNumber = 1e30;  ///< of matrices and world positions: products of a few stay finite
 
 struct Box {
     glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
@@ -27,6 +30,7 @@ struct Box {
         low = glm::min(low, point);
         high = glm::max(high, point);
     }
+    [[nodiscard]] bool isEmpty() const { return !(low.x <= high.x); }
 };
 
 struct Influence {
@@ -44,6 +48,7 @@ struct PrimitiveData {
     uint32_t jointCount = 0;  ///< largest joint index + 1
     uint32_t material = 0;
     std::vector<std::array<glm::ivec2, 3>> corners;  ///< texel coordinates, one entry per triangle; empty for opaque materials
+    std::vector<uint32_t> coloured;                  ///< material with vertex colours, one per triangle; empty without such colours
 };
 
 struct MeshData {
@@ -58,6 +63,7 @@ struct NodeData {
     std::string name;
     int parent = -1;
     bool inScene = false;
+    bool isVisible = true;  ///< KHR_node_visibility; hides all below it, too
     bool hasMatrix = false;
     glm::dmat4 matrix{1.0};  ///< when hasMatrix; translation, rotation and scale are then its parts
     glm::dvec3 translation{0.0};
@@ -74,7 +80,7 @@ struct SkinData {
 };
 
 struct ChannelData {
-    enum class Path { translation, rotation, scale, weights };
+    enum class Path { translation, rotation, scale, weights, visible };
     enum class Interpolation { linear, step, cubic };
     uint32_t node = 0;
     Path path = Path::translation;
@@ -84,10 +90,18 @@ struct ChannelData {
     std::shared_ptr<const std::vector<double>> values;  ///< width numbers per time; cubic: in-tangent, value, out-tangent
 };
 
+/// An animation of the file.
+struct ClipData {
+    std::string name;
+    std::vector<ChannelData> channels;  ///< in file order
+    [[nodiscard]] double lastKeyframe() const;
+};
+
 /// All nodes at one moment.
 struct Pose {
     std::vector<glm::dmat4> world;
     std::vector<std::vector<double>> weights;
+    std::vector<uint8_t> visible;  ///< neither the node nor one above it is hidden
 };
 
 struct SceneFile::Data {
@@ -97,12 +111,14 @@ struct SceneFile::Data {
     std::vector<NodeData> nodes;
     std::vector<uint32_t> order;  ///< all nodes, parents first
     std::vector<SkinData> skins;
-    std::vector<ChannelData> channels;                         ///< in file order
+    std::vector<ClipData> clips;                               ///< in file order
+    int clip = 0;                                              ///< the one that is applied; kAllClips: all, a later one wins
     std::vector<Light> lights;                                 ///< as in the file; position and direction come from the node
     std::vector<Camera> cameras;                               ///< as in the file, lengths in world units
     std::vector<uint32_t> meshNodes, lightNodes, cameraNodes;  ///< nodes of the scene, in node order
     Box firstFrame;                                            ///< of the triangles of frame 0, world units
     SceneFacts facts;                                          ///< those that no frame changes
+    Notices notices;                                           ///< of the file, whatever the frame
 };
 
 // meshes.cpp
@@ -114,7 +130,11 @@ glm::dmat4 composed(const glm::dvec3& translation, const glm::dquat& rotation, c
 /// Throws InputError unless all numbers are finite and at most kLargestNumber.
 void checkMatrix(const glm::dmat4& matrix, const std::string& what);
 // animation.cpp
-std::vector<ChannelData> loadAnimations(const tinygltf::Model& model, Accessors& accessors, const SceneFile::Data& data);
+std::vector<ClipData> loadAnimations(const tinygltf::Model& model, Accessors& accessors, const SceneFile::Data& data, Notices& notices);
+/// The clip that `word` (a number, a name, or "all") means. Throws InputError.
+int clipByWord(const std::vector<ClipData>& clips, const std::string& word);
+/// The clips that are applied.
+std::span<const ClipData> appliedClips(const SceneFile::Data& data);
 Pose poseAt(const SceneFile::Data& data, double seconds);
 // skin.cpp
 std::vector<SkinData> loadSkins(const tinygltf::Model& model, Accessors& accessors);
@@ -137,9 +157,14 @@ std::vector<PlacedLight> lightsAt(const SceneFile::Data& data, const Pose& pose)
 /// A camera whose lengths and matrix (world from camera, in place of grid from camera) are in world units.
 Camera cameraAt(const SceneFile::Data& data, const Pose& pose, uint32_t camera);
 Camera onGrid(Camera camera, const Grid& grid);
+// scene_notices.cpp
+/// What is told of a file when all of it is loaded.
+void tellOfScene(const tinygltf::Model& model, SceneFile::Data& data);
+/// What is told of a frame besides.
+std::vector<std::string> frameNotices(const SceneFile::Data& data, const Pose& pose, const Frame& frame);
 // evaluate.cpp
 Frame evaluateFrame(const SceneFile::Data& data, double seconds, const View& view);
-/// The world box of all triangles. Throws InputError when a position is not finite or exceeds kLargestNumber.
+/// The world box of all triangles that are visible; empty without any. Throws InputError when a position is not finite or exceeds kLargestNumber.
 Box triangleBox(const SceneFile::Data& data, const Pose& pose);
 // view_grid.cpp
 struct ViewGrid {
@@ -159,10 +184,11 @@ struct Instance {
     bool isMirrored;                        ///< its winding is flipped
 };
 
-/// Calls `use` with every Instance of the scene. A skin replaces its node's matrix; whether it mirrors, its first joint tells.
+/// Calls `use` with every visible Instance of the scene. A skin replaces its node's matrix; whether it mirrors, its first joint tells.
 template <typename Use>
 void forEachInstance(const SceneFile::Data& data, const Pose& pose, Use&& use) {
     for (const uint32_t i : data.meshNodes) {
+        if (!pose.visible[i]) continue;
         const NodeData& node = data.nodes[i];
         std::vector<glm::dmat4> joints;
         if (node.skin >= 0) joints = jointMatrices(data.skins[static_cast<size_t>(node.skin)], pose);

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "host_min/error.hpp"
-#include "host_min/scene/gltf_file.hpp"
 #include "host_min/scene/one_line.hpp"
+#include "host_min/scene/uri.hpp"
 
 namespace gno::host {
 
@@ -19,7 +19,8 @@ using Json = nlohmann::json;
 
 constexpr uint64_t kMostTexels = 1ull << 27;                                        // of all images
 constexpr int kNearest = 9728, kClamp = 33071, kMirrored = 33648, kRepeat = 10497;  // glTF's numbers, and OpenGL's
-constexpr double kLargestCoordinate = 1 << 30;                                      // 1/256 texel
+constexpr const char* kTransform = "KHR_texture_transform";
+constexpr double kLargestCoordinate = 1 << 30;  // 1/256 texel
 
 /// Entry `index` of the file's list `list`; `what` names who asks.
 const Json& entryOf(const Json& lists, const char* list, int64_t index, const std::string& what) {
@@ -52,6 +53,15 @@ double numberOf(const tinygltf::Value& value, const std::string& what) {
     return number;
 }
 
+std::vector<double> numbersOf(const tinygltf::Value& object, const char* key, std::vector<double> otherwise, const std::string& what) {
+    if (!object.Has(key)) return otherwise;
+    const tinygltf::Value& value = object.Get(key);
+    if (!value.IsArray()) throw InputError(fmt::format("{} {} is not an array of numbers", what, key));
+    std::vector<double> numbers;
+    for (int i = 0; i < static_cast<int>(value.ArrayLen()); ++i) numbers.push_back(numberOf(value.Get(i), fmt::format("{} {}", what, key)));
+    return numbers;
+}
+
 double memberOf(const tinygltf::Value& object, const char* key, double otherwise, const std::string& what) {
     return object.Has(key) ? numberOf(object.Get(key), fmt::format("{} {}", what, key)) : otherwise;
 }
@@ -70,83 +80,172 @@ TextureTransform transformOf(const tinygltf::Value& extension, const std::string
     return {{{c * scale.x, -s * scale.x}, {s * scale.y, c * scale.y}}, pairOf(extension, "offset", {0, 0}, what)};
 }
 
-/// %20 and the like; what is no escape stays as it is.
-std::string unescaped(const std::string& uri) {
-    std::string text;
-    for (size_t i = 0; i < uri.size(); ++i) {
-        const auto digit = [&](size_t at) {
-            return at < uri.size() ? std::string("0123456789abcdef").find(static_cast<char>(std::tolower(uri[at]))) : std::string::npos;
-        };
-        if (uri[i] == '%' && digit(i + 1) != std::string::npos && digit(i + 2) != std::string::npos) {
-            text.push_back(static_cast<char>(digit(i + 1) * 16 + digit(i + 2)));
-            i += 2;
-        } else {
-            text.push_back(uri[i]);
-        }
-    }
-    return text;
+const tinygltf::Value* extensionOf(const tinygltf::ExtensionMap& extensions, const char* name) {
+    const auto found = extensions.find(name);
+    return found == extensions.end() ? nullptr : &found->second;
 }
+
+std::string withName(const std::string& what, const std::string& name) { return name.empty() ? what : fmt::format("{} ({})", what, name); }
 
 }  // namespace
 
-Textures::Textures(const tinygltf::Model& model, const Json& lists, std::filesystem::path folder)
-    : model_(model), lists_(lists), folder_(std::move(folder)), set_(std::make_shared<MaterialSet>()) {
+Textures::Textures(const tinygltf::Model& model, const Json& lists, std::filesystem::path folder, Notices& notices)
+    : model_(model), lists_(lists), folder_(std::move(folder)), notices_(notices), set_(std::make_shared<MaterialSet>()) {
     for (size_t i = 0; i < model.materials.size(); ++i) readMaterial(model.materials[i], i);
     set_->materials.emplace_back().name = "default";
     places_.emplace_back();
+    transmissions_.emplace_back();
 }
 
 void Textures::readMaterial(const tinygltf::Material& from, size_t index) {
     const std::string what = fmt::format("material {}", index);
     Material& material = set_->materials.emplace_back();
-    Place& place = places_.emplace_back();
+    Place &place = places_.emplace_back(), &transmitting = transmissions_.emplace_back();
     material.name = oneLine(from.name);
     if (from.alphaMode == "MASK") material.alpha = Material::Alpha::mask;
     if (from.alphaMode == "BLEND") material.alpha = Material::Alpha::blend;
     material.alphaCutoff = static_cast<float>(from.alphaCutoff);
     if (!(material.alphaCutoff >= 0)) throw InputError(fmt::format("{}: alphaCutoff is less than 0", what));
-    const auto& factor = from.pbrMetallicRoughness.baseColorFactor;
-    if (factor.size() != 4) throw InputError(fmt::format("{}: baseColorFactor does not have 4 numbers", what));
-    for (int i = 0; i < 4; ++i) material.baseColor[i] = static_cast<float>(std::clamp(factor[static_cast<size_t>(i)], 0.0, 1.0));
-    if (const auto found = from.extensions.find("KHR_materials_transmission"); found != from.extensions.end())
-        material.transmission = static_cast<float>(std::clamp(memberOf(found->second, "transmissionFactor", 0, what), 0.0, 1.0));
-    material.doubleSided = from.doubleSided;
+    std::vector<double> factor = from.pbrMetallicRoughness.baseColorFactor;
     const tinygltf::TextureInfo& texture = from.pbrMetallicRoughness.baseColorTexture;
-    material.textured = texture.index >= 0;
     place.texture = texture.index;
     place.set = texture.texCoord;
-    if (const auto found = texture.extensions.find("KHR_texture_transform"); found != texture.extensions.end()) {
-        place.transform = transformOf(found->second, what + " KHR_texture_transform");
-        place.set = static_cast<int>(std::clamp(memberOf(found->second, "texCoord", place.set, what), 0.0, 1e9));
+    if (const auto* transform = extensionOf(texture.extensions, kTransform)) readTransform(*transform, what, place);
+    // Whoever reads this extension goes by it; what the base specification says of the material is for others.
+    if (const auto* other = extensionOf(from.extensions, "KHR_materials_pbrSpecularGlossiness")) {
+        place = Place();
+        factor = numbersOf(*other, "diffuseFactor", {1, 1, 1, 1}, what);
+        if (other->Has("diffuseTexture")) readTexture(other->Get("diffuseTexture"), what + " diffuseTexture", place);
     }
+    if (factor.size() != 4) throw InputError(fmt::format("{}: its base colour factor does not have 4 numbers", what));
+    for (int i = 0; i < 4; ++i) material.baseColor[i] = static_cast<float>(std::clamp(factor[static_cast<size_t>(i)], 0.0, 1.0));
+    if (const auto* transmission = extensionOf(from.extensions, "KHR_materials_transmission")) {
+        material.transmission = static_cast<float>(std::clamp(memberOf(*transmission, "transmissionFactor", 0, what), 0.0, 1.0));
+        if (transmission->Has("transmissionTexture"))
+            readTexture(transmission->Get("transmissionTexture"), what + " transmissionTexture", transmitting);
+    }
+    material.doubleSided = from.doubleSided;
+    material.textured = place.texture >= 0;
+}
+
+void Textures::readTransform(const tinygltf::Value& extension, const std::string& what, Place& place) {
+    place.transform = transformOf(extension, what + " KHR_texture_transform");
+    place.set = static_cast<int>(std::clamp(memberOf(extension, "texCoord", place.set, what), 0.0, 1e9));
+}
+
+// guardJson saw that it is an object with an index.
+void Textures::readTexture(const tinygltf::Value& info, const std::string& what, Place& place) {
+    place.texture = static_cast<int>(std::clamp(memberOf(info, "index", -1, what), 0.0, 2147483647.0));
+    place.set = static_cast<int>(std::clamp(memberOf(info, "texCoord", 0, what), 0.0, 1e9));
+    if (!info.Has("extensions") || !info.Get("extensions").IsObject()) return;
+    const tinygltf::Value& extensions = info.Get("extensions");
+    if (extensions.Has(kTransform)) readTransform(extensions.Get(kTransform), what, place);
+}
+
+void Textures::tell(const char* what, const std::set<uint32_t>& materials, const char* instead) {
+    std::vector<std::pair<size_t, std::string>> names;
+    for (const uint32_t number : materials) names.emplace_back(number, set_->materials[number].name);
+    if (!names.empty()) notices_.add(fmt::format("{} of material{} {}: {}", what, names.size() == 1 ? "" : "s", enumerated(names), instead));
+}
+
+std::shared_ptr<const MaterialSet> Textures::take() {
+    tell("transmission texture", untinted_, "not used, it lies otherwise than the base colour texture; transmissionFactor alone counts");
+    tell("COLOR_0", uneven_, "differs within triangles; each is taken with the mean of its vertices");
+    return std::move(set_);
 }
 
 uint32_t Textures::use(int index) {
     const auto number = static_cast<uint32_t>(index < 0 ? model_.materials.size() : static_cast<size_t>(index));
     const Material& material = set_->materials[number];
-    if (!places_[number].used && !material.isOpaque() && material.textured) loadTexture(number);
+    if (!places_[number].used && !material.isOpaque()) {
+        if (material.textured) loadTexture(number);
+        if (transmissions_[number].texture >= 0 && material.transmission > 0) loadTransmission(number);
+    }
     places_[number].used = true;
     return number;
 }
 
-void Textures::loadTexture(uint32_t number) {
-    Material& material = set_->materials[number];
+uint32_t Textures::coloured(uint32_t number, const std::array<glm::dvec4, 3>& colours) {
+    constexpr size_t kMostExact = 4096;
+    const Material from = set_->materials[number];
+    glm::dvec4 colour = (colours[0] + colours[1] + colours[2]) / 3.0, counts(from.transmission > 0 ? 1 : 0);
+    counts.w = from.alpha == Material::Alpha::opaque ? 0 : 1;
+    const auto differs = [&](glm::dvec4 other) { return (other - colours[0]) * counts != glm::dvec4(0); };
+    const bool isUneven = differs(colours[1]) || differs(colours[2]);
+    if (isUneven) uneven_.insert(number);
+    if (!isUneven) colour = colours[0];
+    if (isUneven || coloured_.size() >= kMostExact) colour = glm::round(colour * 255.0) / 255.0;
+    colour = glm::mix(glm::dvec4(1), colour, counts);
+    if (colour == glm::dvec4(1)) return number;
+    const glm::vec4 factor(colour);
+    const auto [entry, added] =
+        coloured_.try_emplace({static_cast<float>(number), factor.x, factor.y, factor.z, factor.w}, static_cast<uint32_t>(set_->materials.size()));
+    if (added) {
+        set_->materials.push_back(from);
+        set_->materials.back().baseColor *= factor;
+    }
+    return entry->second;
+}
+
+Textures::Sampling Textures::samplingOf(const Place& place, uint32_t number) const {
     const std::string what = fmt::format("material {}", number);
-    const int index = places_[number].texture;
-    const Json& texture = entryOf(lists_, "textures", index, what);
-    const std::string textureName = fmt::format("texture {}", index);
+    const Json& texture = entryOf(lists_, "textures", place.texture, what);
+    const std::string textureName = fmt::format("texture {}", place.texture);
+    Sampling result;
     if (const int sampler = wholeMember(texture, "sampler", -1, textureName); sampler >= 0) {
         const Json& from = entryOf(lists_, "samplers", sampler, textureName);
         const std::string samplerName = fmt::format("sampler {}", sampler);
-        material.wrapU = wrapOf(wholeMember(from, "wrapS", kRepeat, samplerName), samplerName);
-        material.wrapV = wrapOf(wholeMember(from, "wrapT", kRepeat, samplerName), samplerName);
-        material.linearFilter = wholeMember(from, "magFilter", 0, samplerName) != kNearest;
+        result.wrapU = wrapOf(wholeMember(from, "wrapS", kRepeat, samplerName), samplerName);
+        result.wrapV = wrapOf(wholeMember(from, "wrapT", kRepeat, samplerName), samplerName);
+        result.linearFilter = wholeMember(from, "magFilter", 0, samplerName) != kNearest;
     }
     const int source = wholeMember(texture, "source", -1, textureName);
     if (source < 0)
-        throw InputError(
-            fmt::format("{} has no PNG or JPEG; {} ({}) casts by its alpha: give it one, or make it opaque", textureName, what, material.name));
-    material.image = loadImage(static_cast<size_t>(source));
+        throw InputError(fmt::format("{} has no PNG or JPEG; {} lets light through: give it one, or make it opaque", textureName,
+                                     withName(what, set_->materials[number].name)));
+    result.image = static_cast<size_t>(source);
+    return result;
+}
+
+void Textures::loadTexture(uint32_t number) {
+    const Sampling sampling = samplingOf(places_[number], number);
+    Material& material = set_->materials[number];
+    material.wrapU = sampling.wrapU;
+    material.wrapV = sampling.wrapV;
+    material.linearFilter = sampling.linearFilter;
+    material.image = loadImage(sampling.image);
+}
+
+// What passes is colour times transmission, texel by texel, so the texture goes into an image of the material's own. That needs one lookup for both.
+void Textures::loadTransmission(uint32_t number) {
+    Material& material = set_->materials[number];
+    Place &place = places_[number], &transmitting = transmissions_[number];
+    Sampling sampling = samplingOf(transmitting, number);
+    const TextureImage share = set_->images[static_cast<size_t>(loadImage(sampling.image))];
+    TextureImage product{share.width, share.height, std::vector<uint8_t>(share.rgba.size(), 255), true};
+    if (material.image < 0) {
+        place.set = transmitting.set;
+        place.transform = transmitting.transform;
+        material.wrapU = sampling.wrapU;
+        material.wrapV = sampling.wrapV;
+        material.linearFilter = sampling.linearFilter;
+    } else {
+        const TextureImage& colour = set_->images[static_cast<size_t>(material.image)];
+        const bool isSame = place.set == transmitting.set && place.transform == transmitting.transform && sampling.wrapU == material.wrapU &&
+                            sampling.wrapV == material.wrapV && sampling.linearFilter == material.linearFilter && colour.width == share.width &&
+                            colour.height == share.height;
+        if (!isSame) {
+            untinted_.insert(number);
+            return;
+        }
+        for (size_t i = 0; i < product.rgba.size(); ++i) product.rgba[i] = i % 4 == 3 ? colour.rgba[i] : linearChannel(colour.rgba[i]);
+    }
+    for (size_t i = 0; i < product.rgba.size(); ++i)
+        if (i % 4 != 3) product.rgba[i] = static_cast<uint8_t>((product.rgba[i] * share.rgba[i - i % 4] + 127) / 255);
+    texels_ += uint64_t{product.width} * product.height;
+    if (texels_ > kMostTexels) throw InputError(fmt::format("all images together have more than {} texels", kMostTexels));
+    material.image = static_cast<int>(set_->images.size());
+    set_->images.push_back(std::move(product));
 }
 
 int Textures::loadImage(size_t image) {
@@ -174,20 +273,7 @@ std::vector<unsigned char> Textures::imageBytes(size_t image, const std::string&
     }
     const auto uri = entry.find("uri");
     if (uri == entry.end() || !uri->is_string()) throw InputError(fmt::format("{} has neither a buffer view nor a uri", what));
-    const auto text = uri->get<std::string>();
-    if (tinygltf::IsDataURI(text)) {
-        std::vector<unsigned char> bytes;
-        std::string kind;
-        if (!tinygltf::DecodeDataURI(&bytes, kind, text, 0, false)) throw InputError(fmt::format("{}: its data uri is broken", what));
-        return bytes;
-    }
-    const std::filesystem::path name = unescaped(text);
-    try {
-        if (name.empty() || name.is_absolute()) throw InputError("not a path beside the model");
-        return readWholeFile(folder_ / name);
-    } catch (const InputError& error) {
-        throw InputError(fmt::format("{} ({}): {}", what, oneLine(name.string()), error.what()));
-    }
+    return readUri(folder_, uri->get<std::string>(), what);
 }
 
 // A triangle moves by whole repeats towards 0, on one axis after the other; a mirrored texture repeats every two images, a clamped one does not.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "host_min/error.hpp"
 #include "host_min/scene/scene_data.hpp"
 
 namespace gno::host {
@@ -326,9 +327,11 @@ private:
 }  // namespace
 
 ViewGrid chooseGrid(const SceneFile::Data& data, double seconds, const Pose& pose, const View& view) {
+    if (triangleBox(data, pose).isEmpty()) throw InputError("all meshes are hidden in this frame (KHR_node_visibility): nothing can cast a shadow");
     const Chooser chooser(data, pose, view);
     std::optional<Grid> kept = view.before;
-    if (!kept && seconds > 0) kept = Chooser(data, poseAt(data, 0.0), view).choose();
+    if (const Pose first = poseAt(data, 0.0); !kept && seconds > 0 && !triangleBox(data, first).isEmpty())
+        kept = Chooser(data, first, view).choose();
     ViewGrid result = chooser.on(kept && chooser.isGood(*kept) ? *kept : chooser.choose());
     result.harm.changed = view.before && !(*view.before == result.grid);
     return result;

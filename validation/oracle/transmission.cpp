@@ -58,6 +58,7 @@ int64_t linear(uint8_t srgb) {
 std::array<int64_t, 4> texel(const Material& material, const TextureImage& image, int64_t column, int64_t line) {
     const int64_t x = wrapped(column, image.width, material.wrapU), y = wrapped(line, image.height, material.wrapV);
     const uint8_t* rgba = &image.rgba[size_t(4 * (y * image.width + x))];
+    if (image.isLinear) return {rgba[0], rgba[1], rgba[2], rgba[3]};
     return {linear(rgba[0]), linear(rgba[1]), linear(rgba[2]), rgba[3]};
 }
 

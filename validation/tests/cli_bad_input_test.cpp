@@ -139,6 +139,12 @@ const std::vector<Words> kWrongWords{
     {"TraceWithoutDump", {"--trace", "1,1"}, "--dump"},
     {"FrameWords", {"--frame", "first"}, "--frame"},
     {"FramesBackwards", {"--frame", "2..1"}, "before"},
+    {"FramesWithoutEnd", {"--frame", "0.."}, "--frame 0..: write A or A..B"},
+    {"AnimationOfAFileWithout", {"--animation", "Walk"}, "--animation Walk: the file has no animations"},
+    {"KeyOfSetAsAnOption", {"--cull", "front"}, "write --set cull=front"},
+    {"KeyOfSetWithASign", {"--stack=3"}, "write --set stack=3"},
+    {"KeyOfSetWithoutValue", {"--cull"}, "write --set cull=VALUE"},
+    {"ControlCharacters", {"--camera", "a\x1b[2Jb"}, "--camera a\\x1B[2Jb:"},
     {"RepeatZero", {"--repeat", "0"}, "--repeat"},
     {"OptionWithoutValue", {"--size"}, "--size"},
 };

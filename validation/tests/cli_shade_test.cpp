@@ -51,9 +51,10 @@ std::vector<Json> shade(const Stage& stage, std::vector<std::string> arguments) 
 }
 
 void expectContract(const Json& record, bool checked) {
-    Names keys{"schema",   "scene",    "frame",     "light",    "technique",  "precision", "settings", "device",
-               "size",     "grid",     "triangles", "casters",  "samples",    "in_shadow", "unknown",  "passes",
-               "total_ms", "floor_ms", "bytes",     "counters", "host_waits", "reruns",    "effects"};
+    Names keys{"schema",   "scene",      "frame",     "light",   "technique", "precision",        "settings",
+               "device",   "size",       "triangles", "casters", "animation", "taken_for_opaque", "grid",
+               "samples",  "in_shadow",  "unknown",   "passes",  "total_ms",  "floor_ms",         "bytes",
+               "counters", "host_waits", "reruns",    "effects"};
     if (checked) keys.insert("check");
     EXPECT_EQ(keysOf(record), keys);
     EXPECT_EQ(keysOf(record["device"]), (Names{"name", "driver", "subgroup"}));
@@ -294,10 +295,69 @@ TEST(Shade, FramesOfAnAnimation) {
     std::set<std::vector<float>> masks;
     for (int frame = 0; frame < 3; ++frame) {
         EXPECT_EQ(records[frame]["frame"], frame);
+        EXPECT_EQ(records[frame]["animation"], 0);
         masks.insert(maskOf(stage.out() / ("moving-l0-f00" + std::to_string(frame) + ".exr"), "psv.certified.visibility"));
     }
     EXPECT_EQ(masks.size(), 3u);  // the cube moves, and with it its shadow
     EXPECT_EQ(stage.left().size(), 3u * 5u);
+}
+
+/// smallScene, whose cube two animations move, and a veil above it.
+Builder oddScene() {
+    Builder builder = smallScene();
+    const int times = builder.floats({0, 1}, "SCALAR", 1), up = builder.positions({0, 1, 0, 0, 1, 0}), aside = builder.positions({1, 0, 0, 1, 0, 0});
+    for (const auto& [name, moves] : {std::pair{"Up", up}, {"Aside", aside}})
+        builder.add("animations", {{"name", name},
+                                   {"samplers", {{{"input", times}, {"output", moves}}}},
+                                   {"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}}});
+    builder.json["materials"] = {{{"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.5}}}}}};
+    builder.meshNode({-2, 3, -2, 3, 3, -2, 3, 3, 3});
+    builder.json["meshes"][2]["primitives"][0]["material"] = 0;
+    builder.json["extensionsUsed"] = {"VENDOR_unheard_of"};
+    return builder;
+}
+
+TEST(Shade, TellsWhatItDoesNotUse) {
+    const Stage stage;
+    const std::string scene = stage.write("odd.glb", oddScene().glb());
+    const std::vector<std::string> words{scene,           "--technique", "psv,ptsv", "--size", "24x24",
+                                         "--no-pictures", "--frame",     "0..1",     "--json", stage.path() / "r"};
+    const Outcome told = stage.shade(words);
+    expectDone(told);
+    const std::vector<std::string> notes{
+        "extension VENDOR_unheard_of: not read, gnomon does not know it",
+        "lights: the scene has none; made two: light 0, a point light above on the right, and light 1, directional from the upper left",
+        "camera: the scene has none; made one that sees all of it",
+        "animation: number 0 (Up) of 2 is taken; --animation N|NAME|all takes another, gnomon effects lists them",
+        "alpha-tested and coloured casters: 1 of 15 triangles taken for opaque by psv (marked in the table)"};
+    for (const std::string& note : notes) {
+        const size_t at = told.out.find("note: " + note + "\n");
+        EXPECT_NE(at, std::string::npos) << note << "\n" << told.out;
+        EXPECT_EQ(told.out.find("note: " + note, at + 1), std::string::npos) << "once, not for every frame";
+    }
+    EXPECT_NE(told.out.find("taken as opaque"), std::string::npos) << told.out;
+    const auto records = recordsOf(stage.path() / "r");
+    ASSERT_EQ(records.size(), 4u);
+    for (const Json& record : records) EXPECT_EQ(record["taken_for_opaque"], record["technique"] == "psv" ? 1 : 0);
+
+    std::vector<std::string> quietly = words;
+    quietly.insert(quietly.end(), {"--quiet", "--animation", "Aside"});
+    const Outcome quiet = stage.shade(quietly);
+    expectDone(quiet);
+    EXPECT_EQ(quiet.out.find("note: "), std::string::npos) << quiet.out;
+    const auto others = recordsOf(stage.path() / "r");
+    ASSERT_EQ(others.size(), 4u);
+    EXPECT_EQ(others[0]["animation"], 1);
+    EXPECT_NE(others[0]["in_shadow"], records[0]["in_shadow"]);
+
+    const Outcome effects = stage.run({"effects", scene, "--animation", "all"});
+    expectDone(effects);
+    for (const char* part : {"note: extension VENDOR_unheard_of: ", "animation 0 (Up) ends at 1.00 s, applied\n",
+                             "animation 1 (Aside) ends at 1.00 s, applied\n", "1 triangle with a blended or transmitting material", "1 camera\n"})
+        EXPECT_NE(effects.out.find(part), std::string::npos) << part << "\n" << effects.out;
+    const Outcome quietEffects = stage.run({"effects", scene, "--quiet"});
+    expectDone(quietEffects);
+    EXPECT_EQ(quietEffects.out.find("note: "), std::string::npos) << quietEffects.out;
 }
 
 TEST(Shade, OneTriangleAndOnePixel) {
@@ -332,8 +392,8 @@ TEST(Shade, DuplicatesAndTrianglesWithoutArea) {
 
     const Outcome effects = stage.run({"effects", (stage.path() / "often.glb").string()});
     expectDone(effects);
-    EXPECT_NE(effects.out.find("2 triangles have no area"), std::string::npos) << effects.out;
-    EXPECT_NE(effects.out.find("36 triangles stand there twice"), std::string::npos) << effects.out;
+    EXPECT_NE(effects.out.find("note: triangles without area on the grid: 2 of 52, neither seen nor casting\n"), std::string::npos) << effects.out;
+    EXPECT_NE(effects.out.find("36 triangles there twice"), std::string::npos) << effects.out;
 }
 
 /// The mask of table_fan with these settings, and its record.
@@ -382,8 +442,8 @@ TEST(Tell, HelpAndVersion) {
         expectDone(outcome);
         EXPECT_NE(outcome.out.find("Usage"), std::string::npos) << outcome.out;
         if (words[0] != "shade") continue;
-        for (const char* option :
-             {"--technique", "--precision", "--size", "--camera", "--light", "--frame", "--set", "--check", "--repeat", "--dump", "--out", "--json"})
+        for (const char* option : {"--technique", "--precision", "--size", "--camera", "--light", "--frame", "--animation", "--set", "--check",
+                                   "--repeat", "--dump", "--out", "--json", "--quiet", "is replaced"})
             EXPECT_NE(outcome.out.find(option), std::string::npos) << option;
     }
     const Outcome version = stage.run({"--version"});

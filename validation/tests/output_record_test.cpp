@@ -2,6 +2,7 @@
 // The record's keys are a contract; the table's ratios are arithmetic.
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <algorithm>
 
 #include <filesystem>
 #include <fstream>
@@ -57,12 +58,13 @@ std::string cell(const std::vector<std::vector<std::string>>& cells, std::size_t
 
 TEST(OutputRecord, HasTheKeysOfTheContractInTheirOrder) {
     Record record = sample("d-hybrid", 12.3, 45.6);
-    Names top = {"schema",  "scene",   "frame",     "light",   "technique", "precision", "settings", "device",   "size",       "grid",   "triangles",
-                 "casters", "samples", "in_shadow", "unknown", "passes",    "total_ms",  "bytes",    "counters", "host_waits", "reruns", "effects"};
+    Names top = {"schema",  "scene",  "frame",    "animation", "light",    "technique",        "precision", "settings",
+                 "device",  "size",   "grid",     "triangles", "casters",  "taken_for_opaque", "samples",   "in_shadow",
+                 "unknown", "passes", "total_ms", "bytes",     "counters", "host_waits",       "reruns",    "effects"};
     EXPECT_EQ(keys(ordered_json::parse(toJsonLine(record))), top);
     record.check = RecordCheck{2000, 3, 2, 1, 0, 5};
     record.floorMs = 7.5;
-    top.insert(top.begin() + 17, "floor_ms");
+    top.insert(std::find(top.begin(), top.end(), "bytes"), "floor_ms");
     top.insert(top.end() - 1, "check");
     const std::string line = toJsonLine(record);
     EXPECT_EQ(line.find('\n'), std::string::npos);
@@ -76,6 +78,8 @@ TEST(OutputRecord, HasTheKeysOfTheContractInTheirOrder) {
     EXPECT_EQ(json["size"], (ordered_json{512, 256}));
     EXPECT_EQ(json["in_shadow"], 500);
     EXPECT_EQ(json["unknown"], 7);
+    EXPECT_TRUE(json["animation"].is_null());
+    EXPECT_EQ(json["taken_for_opaque"], 0);
     EXPECT_EQ(json["settings"]["stack"], 12);
     EXPECT_EQ(json["passes"][0]["name"], "top_build");
     EXPECT_DOUBLE_EQ(json["total_ms"].get<double>(), 57.9);
@@ -138,6 +142,10 @@ TEST(OutputTable, Ratios) {
     for (Record& record : records) record.unknown = 0;
     cells = tableCells(records);
     EXPECT_EQ(cells[0].size(), 12u) << "a column that has nothing to say is left out";
+    records[1].takenForOpaque = 5;
+    cells = tableCells(records);
+    EXPECT_EQ(cell(cells, 1, "taken as opaque"), "0");
+    EXPECT_EQ(cell(cells, 2, "taken as opaque"), "5");
     EXPECT_EQ(cell(cells, 1, "in shadow %"), "25.0");
     EXPECT_EQ(cell(cells, 1, "visited/sample"), "61.5");
     EXPECT_EQ(cell(cells, 1, "max stack"), "9");

@@ -1,5 +1,5 @@
 find_package(nlohmann_json REQUIRED)
-foreach(name grid geometry weld animation lights_cameras view_grid bad_input materials shipped mutation)
+foreach(name grid geometry weld animation lights_cameras view_grid bad_input foreign materials shipped mutation)
   gnomon_add_test(scene_${name}_test LIBRARIES gnomon_scene nlohmann_json::nlohmann_json)
 endforeach()
 target_compile_definitions(scene_shipped_test PRIVATE GNOMON_SCENES_DIR="${PROJECT_SOURCE_DIR}/scenes")

@@ -84,15 +84,192 @@ TEST(Animation, NormalizedIntegerRotationAndScale) {
     EXPECT_NEAR(t.c.y, -3, kNear);
 }
 
-TEST(Animation, LaterAnimationsWin) {
+TEST(Animation, OfAllTheLaterWins) {
     Builder builder;
     const int node = builder.meshNode(kTriangle, {}, {{"matrix", {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 7, 8, 9, 1}}});
     animate(builder, node, "translation", "LINEAR", {0}, {1, 1, 1}, "VEC3", 3);
     animate(builder, node, "translation", "LINEAR", {0}, {5, 0, 0}, "VEC3", 3);
-    const WorldTriangle t = world(frameOf(builder), 0);
+    const WorldTriangle t = world(loadBytes(builder.glb(), "scene.glb", "all").evaluate(0, 0), 0);
     EXPECT_NEAR(t.a.x, 5, kNear);
     EXPECT_NEAR(t.a.y, 0, kNear);
     EXPECT_NEAR(t.b.x, 7, kNear);  // what the animation leaves alone, here the scale, stays as the node's matrix says
+}
+
+// Clips of different lengths that move one node to x = 1, 2 and 3; the last has no name.
+Builder threeClips() {
+    Builder builder;
+    const int node = builder.meshNode(kTriangle);
+    for (float x = 1; x <= 3; ++x) animate(builder, node, "translation", "LINEAR", {0, x}, {x, 0, 0, x, 0, 0}, "VEC3", 3);
+    builder.json["animations"][0]["name"] = "Idle";
+    builder.json["animations"][1]["name"] = "Walk";
+    return builder;
+}
+
+TEST(Clips, TheFirstIsTakenUnlessAnotherIsNamed) {
+    const std::string bytes = threeClips().glb();
+    const auto x = [&](const std::string& word) { return std::lround(firstVertex(loadBytes(bytes, "scene.glb", word), 30).x); };
+    EXPECT_EQ(x(""), 1);
+    EXPECT_EQ(x("0"), 1);
+    EXPECT_EQ(x("Idle"), 1);
+    EXPECT_EQ(x("1"), 2);
+    EXPECT_EQ(x("Walk"), 2);
+    EXPECT_EQ(x("2"), 3);
+    EXPECT_EQ(x("all"), 3) << "the later one wins";
+    const SceneFile first = loadBytes(bytes), all = loadBytes(bytes, "scene.glb", "all");
+    EXPECT_EQ(first.clip(), 0u);
+    EXPECT_EQ(first.lastKeyframe(), 1);
+    EXPECT_EQ(all.clip(), std::nullopt);
+    EXPECT_EQ(all.lastKeyframe(), 3);
+    ASSERT_EQ(first.clips().size(), 3u);
+    EXPECT_EQ(first.clips()[1].name, "Walk");
+    EXPECT_EQ(first.clips()[1].lastKeyframe, 2);
+    EXPECT_EQ(noticeOf(first, "animation"), "number 0 (Idle) of 3 is taken; --animation N|NAME|all takes another, gnomon effects lists them");
+    EXPECT_EQ(noticeOf(all, "animation"), "");
+}
+
+TEST(Clips, OfOtherNamesAreRefused) {
+    Builder builder = threeClips();
+    const auto refusal = [&](const std::string& word) { return inputError([&] { (void)loadBytes(builder.glb(), "scene.glb", word); }); };
+    EXPECT_EQ(refusal("1"), "");
+    for (const char* word : {"3", "-1", "1.0", "walk", "All", " 1"})
+        EXPECT_NE(refusal(word).find("there is none; the file has 0 (Idle), 1 (Walk), 2"), std::string::npos) << refusal(word);
+    builder.json["animations"][2]["name"] = "7";
+    EXPECT_EQ(refusal("7"), "") << "a name, where no number is as large";
+    builder.json["animations"][2]["name"] = "Walk";
+    EXPECT_NE(refusal("Walk").find("2 animations are called so"), std::string::npos) << refusal("Walk");
+    builder.json.erase("animations");
+    EXPECT_NE(refusal("0").find("--animation 0: the file has no animations"), std::string::npos) << refusal("0");
+    EXPECT_EQ(loadBytes(builder.glb()).clip(), std::nullopt);
+}
+
+// As animate(), by a pointer.
+void animateByPointer(Builder& builder, const std::string& pointer, const std::string& interpolation, const std::vector<float>& values,
+                      const std::string& type, size_t width) {
+    animate(builder, 0, "pointer", interpolation, {0, 1}, values, type, width);
+    builder.json["animations"].back()["channels"][0]["target"] = {{"path", "pointer"},
+                                                                  {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}};
+}
+
+TEST(Pointers, AtNodesAreObeyed) {
+    Builder builder;
+    const int node = builder.meshNode(kTriangle);
+    builder.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", builder.positions({0, 0, 1, 0, 0, 0, 0, 0, 0})}}};
+    builder.json["extensionsRequired"] = {"KHR_animation_pointer"};
+    const std::string at = "/nodes/" + std::to_string(node) + "/";
+    animateByPointer(builder, at + "translation", "LINEAR", {0, 0, 0, 8, 0, 0}, "VEC3", 3);
+    animateByPointer(builder, at + "scale", "LINEAR", {1, 1, 1, 3, 3, 3}, "VEC3", 3);
+    animateByPointer(builder, at + "rotation", "STEP", {0, 0, 1, 0, 0, 0, 0, 1}, "VEC4", 4);
+    animateByPointer(builder, at + "weights", "LINEAR", {0, 2}, "SCALAR", 1);
+    const WorldTriangle t = world(loadBytes(builder.glb(), "scene.glb", "all").evaluate(15, 0), 0);
+    EXPECT_NEAR(t.a.x, 4, kNear);
+    EXPECT_NEAR(t.a.z, 2, kNear) << "a weight of 1, scaled by 2";
+    EXPECT_NEAR(t.b.x, 2, kNear) << "half a turn about z";
+}
+
+TEST(Pointers, AtOtherThingsAreTold) {
+    for (const char* pointer : {"/materials/0/pbrMetallicRoughness/baseColorFactor", "/nodes/0/weights/0", "/nodes/0/extras/x", "/nodes/0",
+                                "/nodes/x/scale", "/nodes/-1/scale", "nodes/0/scale", "", "/nodes/0/extensions/KHR_node_visibility"}) {
+        Builder builder;
+        builder.meshNode(kTriangle);
+        animateByPointer(builder, pointer, "LINEAR", {0, 0, 0, 8, 0, 0}, "VEC3", 3);
+        const SceneFile scene = loadBytes(builder.glb());
+        EXPECT_EQ(noticeOf(scene, std::string("animation of ") + pointer), "not applied") << pointer;
+        EXPECT_NEAR(firstVertex(scene, 15).x, 0, kNear);
+    }
+    Builder builder;
+    animate(builder, builder.meshNode(kTriangle), "shear", "LINEAR", {0, 1}, {0, 0, 0, 8, 0, 0}, "VEC3", 3);
+    EXPECT_EQ(noticeOf(loadBytes(builder.glb()), "animation of shear"), "not applied");
+    builder.json["animations"][0]["channels"][0]["target"] = {{"path", "scale"}};
+    EXPECT_EQ(noticeOf(loadBytes(builder.glb()), "animation of scale of no node"), "not applied");
+}
+
+TEST(Pointers, ThatAreNoneAreRefused) {
+    Builder builder;
+    builder.meshNode(kTriangle);
+    animateByPointer(builder, "/nodes/0/translation", "LINEAR", {0, 0, 0, 8, 0, 0}, "VEC3", 3);
+    const auto refusal = [&](const Json& target) {
+        builder.json["animations"][0]["channels"][0]["target"] = target;
+        return inputError([&] { (void)loadBytes(builder.glb()); });
+    };
+    const auto pointing = [](const Json& pointer) {
+        return Json{{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}};
+    };
+    const auto expect = [&](const Json& target, const char* words) { EXPECT_NE(refusal(target).find(words), std::string::npos) << refusal(target); };
+    expect(pointing("/nodes/1/translation"), "node 1 does not exist, there are 1");
+    expect(pointing("/nodes/18446744073709551615/translation"), "does not exist");
+    expect(pointing(7), "has no pointer");
+    expect({{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", Json::object()}}}}, "has no pointer");
+    expect({{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", 7}}}}, "is not an object");
+    expect({{"path", 7}}, "has no path");
+    expect(7, "has no target");
+    expect(pointing("/nodes/0/rotation"), "wrong type");
+}
+
+// A cube, hidden or not, above a node with a triangle.
+struct TwoLayers : Builder {
+    TwoLayers() {
+        meshNode(kTriangle);
+        node({{"mesh", mesh({{"attributes", {{"POSITION", 0}}}})}, {"translation", {9, 0, 0}}}, false);
+        node({{"children", {1}}});
+    }
+    void setVisible(int index, const Json& visible) { json["nodes"][index]["extensions"]["KHR_node_visibility"] = {{"visible", visible}}; }
+};
+
+TEST(Visibility, HidesANodeAndAllBelowIt) {
+    TwoLayers layers;
+    EXPECT_EQ(frameOf(layers).triangles.size(), 2u);
+    layers.setVisible(2, true);
+    EXPECT_EQ(frameOf(layers).triangles.size(), 2u);
+    layers.setVisible(2, false);
+    layers.setVisible(1, true);
+    const Frame frame = frameOf(layers);
+    ASSERT_EQ(frame.triangles.size(), 1u) << "a visible node below a hidden one is hidden";
+    EXPECT_LT(world(frame, 0).b.x, 2);
+    EXPECT_LT(frame.grid.exponent, 3) << "what is hidden takes no room on the grid";
+    EXPECT_EQ(frame.facts.objects, 1u);
+    layers.json["nodes"][2]["extensions"]["KHR_node_visibility"] = Json::object();
+    EXPECT_EQ(frameOf(layers).triangles.size(), 2u) << "visible is the default";
+    layers.setVisible(0, false);
+    layers.setVisible(1, false);
+    EXPECT_NE(inputError([&] { (void)frameOf(layers); }).find("all meshes of the scene are hidden"), std::string::npos);
+    for (const Json& wrong : {Json(1), Json("false"), Json()}) {
+        layers.setVisible(0, wrong);
+        EXPECT_NE(inputError([&] { (void)frameOf(layers); }).find("neither true nor false"), std::string::npos);
+    }
+}
+
+TEST(Visibility, OfLightsButNotOfCameras) {
+    TwoLayers layers;
+    layers.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
+    layers.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}}}}};
+    layers.json["nodes"][1].update({{"camera", 0}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    EXPECT_FALSE(frameOf(layers).lights[0].isDefault);
+    layers.setVisible(2, false);
+    const Frame frame = frameOf(layers);
+    EXPECT_TRUE(frame.lights[0].isDefault);
+    EXPECT_FALSE(frame.camera.isDefault) << "a camera sees from wherever it stands";
+}
+
+TEST(Visibility, IsAnimatedByPointer) {
+    TwoLayers layers;
+    layers.setVisible(0, false);
+    const std::string at = "/nodes/0/extensions/KHR_node_visibility/visible";
+    const int input = layers.floats({0, 1, 2}, "SCALAR", 1), output = layers.accessor(layers.view(std::string("\0\1\0", 3)), kU8, 3, "SCALAR");
+    layers.json["animations"] = {
+        {{"samplers", {{{"input", input}, {"output", output}, {"interpolation", "STEP"}}}},
+         {"channels", {{{"sampler", 0}, {"target", {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", at}}}}}}}}}}}};
+    const SceneFile scene = loadBytes(layers.glb());
+    const auto count = [&](uint32_t frame) { return scene.evaluate(frame, 0).triangles.size(); };
+    EXPECT_EQ(count(0), 1u);
+    EXPECT_EQ(count(29), 1u);
+    EXPECT_EQ(count(30), 2u);
+    EXPECT_EQ(count(60), 1u);
+    layers.setVisible(2, false);
+    const SceneFile alone = loadBytes(layers.glb());
+    EXPECT_EQ(alone.evaluate(30, 0).triangles.size(), 1u);
+    EXPECT_NE(inputError([&] { (void)alone.evaluate(0, 0); }).find("all meshes are hidden in this frame"), std::string::npos);
+    layers.json["animations"][0]["samplers"][0].erase("interpolation");
+    EXPECT_NE(inputError([&] { (void)loadBytes(layers.glb()); }).find("has to be STEP"), std::string::npos);
 }
 
 TEST(Animation, ParentsMoveObjectsLightsAndCameras) {

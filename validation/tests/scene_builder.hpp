@@ -104,7 +104,7 @@ public:
     }
     [[nodiscard]] std::string glb() const {
         Json whole = json;
-        if (!binary.empty()) whole["buffers"] = {{{"byteLength", binary.size()}}};
+        if (!binary.empty()) whole["buffers"][0]["byteLength"] = binary.size();
         return glbOf(whole.dump(), binary);
     }
 };
@@ -116,11 +116,19 @@ inline const std::vector<float> kCube{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 
 inline const std::vector<uint16_t> kCubeIndices{0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
                                                 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
 
-inline SceneFile loadBytes(const std::string& bytes, const std::string& name = "scene.glb") {
+inline SceneFile loadBytes(const std::string& bytes, const std::string& name = "scene.glb", const std::string& animation = {}) {
     const TemporaryFolder folder;
-    return SceneFile::load(folder.write(name, bytes));
+    return SceneFile::load(folder.write(name, bytes), animation);
 }
 inline Frame frameOf(const Builder& builder, uint32_t frame = 0, uint32_t camera = 0) { return loadBytes(builder.glb()).evaluate(frame, camera); }
+
+/// What is told of `subject`; empty: nothing.
+inline std::string noticeOf(const Frame& frame, const std::string& subject) {
+    for (const std::string& notice : frame.facts.notices)
+        if (notice.starts_with(subject + ": ")) return notice.substr(subject.size() + 2);
+    return {};
+}
+inline std::string noticeOf(const SceneFile& scene, const std::string& subject) { return noticeOf(scene.evaluate(0, 0), subject); }
 
 /// The frame's triangle in world units.
 struct WorldTriangle {

@@ -183,6 +183,25 @@ TEST(Cameras, ShearedMirroredAndFlatNodesStillGiveARotation) {
     }
 }
 
+TEST(Cameras, ThatTellNoPositionsApartAreRefused) {
+    const auto refusal = [](double ymag) {
+        return inputError([&] {
+            (void)frameOf(withCamera({{"type", "orthographic"}, {"orthographic", {{"xmag", ymag}, {"ymag", ymag}, {"znear", 1}, {"zfar", 21}}}},
+                                     {{"translation", {0, 0, 11}}}));
+        });
+    };
+    EXPECT_EQ(refusal(1e-6), "");
+    EXPECT_NE(refusal(3e-30).find("camera 0: its ymag is too small"), std::string::npos) << refusal(3e-30);
+}
+
+TEST(Lights, OfASharpConeAreAccepted) {
+    Builder builder;
+    builder.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "spot"}, {"spot", {{"innerConeAngle", 0.4}, {"outerConeAngle", 0.4}}}}};
+    builder.meshNode(kTriangle);
+    builder.node(lightNode(0));
+    EXPECT_EQ(frameOf(builder).lights[0].innerCone, frameOf(builder).lights[0].outerCone);
+}
+
 TEST(Cameras, AreChosenInNodeOrder) {
     Builder builder = withCamera({{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}, {{"name", "first"}});
     builder.node({{"camera", 0}, {"name", "second"}});

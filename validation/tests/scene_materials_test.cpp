@@ -90,6 +90,144 @@ TEST(Materials, OpaqueOnesOpenNoImage) {
     EXPECT_TRUE(frameOf(leaf).surfaces.empty()) << "a material that no primitive has";
 }
 
+/// KHR_materials_pbrSpecularGlossiness goes before what the base specification has: factor, texture, its transform and set.
+TEST(Materials, OfSpecularAndGlossiness) {
+    Leaf leaf;
+    Json& material = leaf.json["materials"][0];
+    material["pbrMetallicRoughness"] = {{"baseColorFactor", {1, 1, 1, 1}}, {"baseColorTexture", {{"index", 9}, {"texCoord", 9}}}};
+    Json& other = material["extensions"]["KHR_materials_pbrSpecularGlossiness"];
+    other = {{"diffuseFactor", {0.25, 0.5, 0.75, 0.125}}, {"diffuseTexture", {{"index", 0}}}, {"specularGlossinessTexture", {{"index", 7}}}};
+    const SceneFile file = loadBytes(leaf.glb());
+    EXPECT_EQ(file.materials()[0].baseColor, glm::vec4(0.25f, 0.5f, 0.75f, 0.125f));
+    EXPECT_EQ(file.materials()[0].image, 0);
+    EXPECT_EQ(file.evaluate(0, 0).surfaces.at(0).corners, (Corners{ivec2(0, 0), ivec2(1024, 0), ivec2(0, 512)}));
+    other["diffuseTexture"]["extensions"]["KHR_texture_transform"] = {{"offset", {0.5, 0}}};
+    EXPECT_EQ(cornersOf(leaf)[0], ivec2(512, 0));
+    other = Json::object();
+    const SceneFile plain = loadBytes(leaf.glb());
+    EXPECT_EQ(plain.materials()[0].baseColor, glm::vec4(1)) << "its defaults";
+    EXPECT_EQ(plain.materials()[0].image, -1);
+}
+
+/// A leaf of glass: what passes is colour times transmission, so its texture goes into the image.
+struct Pane : Leaf {
+    explicit Pane(const std::string& share = "\x80zzz\xFFzzz") : Leaf(kUv, tinyPng(2, 1, std::string("\xFF\x80\x00\x40\xBC\xFF\xFF\xC0", 8))) {
+        json["materials"][0].erase("alphaMode");
+        json["materials"][0]["extensions"]["KHR_materials_transmission"] = {{"transmissionFactor", 0.5}, {"transmissionTexture", {{"index", 1}}}};
+        json["textures"].push_back({{"source", 1}, {"sampler", 0}});
+        json["images"].push_back({{"bufferView", view(tinyPng(2, 1, share))}});
+    }
+    Json& transmission() { return json["materials"][0]["extensions"]["KHR_materials_transmission"]["transmissionTexture"]; }
+};
+
+TEST(Transmission, TextureTimesBaseColour) {
+    const Pane pane;
+    const Frame frame = frameOf(pane);
+    const Material& material = frame.look->materials.at(frame.surfaces.at(0).material);
+    EXPECT_EQ(material.transmission, 0.5f) << "the factor stays";
+    const TextureImage& image = frame.look->images.at(static_cast<size_t>(material.image));
+    EXPECT_TRUE(image.isLinear);
+    // linear: 255, 55, 0 and 128, 255, 255 (of 0xBC); times 128/255 and 1
+    EXPECT_EQ(image.rgba, (std::vector<uint8_t>{128, 28, 0, 0x40, 128, 255, 255, 0xC0}));
+    EXPECT_EQ(noticeOf(frame, "transmission texture of material 0"), "");
+}
+
+TEST(Transmission, TextureAlone) {
+    Pane pane;
+    pane.json["materials"][0].erase("pbrMetallicRoughness");
+    pane.json["samplers"].push_back({{"wrapS", 33071}, {"magFilter", 9728}});
+    pane.json["textures"][1]["sampler"] = 1;
+    pane.transmission()["extensions"]["KHR_texture_transform"] = {{"offset", {0.5, 0}}};
+    const Frame frame = frameOf(pane);
+    const Material& material = frame.look->materials.at(frame.surfaces.at(0).material);
+    EXPECT_EQ(frame.look->images.at(static_cast<size_t>(material.image)).rgba, (std::vector<uint8_t>{128, 128, 128, 255, 255, 255, 255, 255}));
+    EXPECT_EQ(material.wrapU, Wrap::clamp);
+    EXPECT_FALSE(material.linearFilter);
+    EXPECT_EQ(frame.surfaces[0].corners[0], ivec2(256, 0)) << "half of 2 texels";
+}
+
+TEST(Transmission, TextureThatLiesOtherwiseIsTold) {
+    const auto toldOf = [](const std::function<void(Pane&)>& spoil) {
+        Pane pane;
+        spoil(pane);
+        const Frame frame = frameOf(pane);
+        EXPECT_FALSE(frame.look->images.at(static_cast<size_t>(frame.look->materials[0].image)).isLinear);
+        return noticeOf(frame, "transmission texture of material 0");
+    };
+    const std::string want = "not used, it lies otherwise than the base colour texture; transmissionFactor alone counts";
+    EXPECT_EQ(toldOf([](Pane& p) { p.transmission()["extensions"]["KHR_texture_transform"] = {{"scale", {2, 1}}}; }), want);
+    EXPECT_EQ(toldOf([](Pane& p) { p.transmission()["texCoord"] = 1; }), want);
+    EXPECT_EQ(toldOf([](Pane& p) { p.json["textures"][1].erase("sampler"), p.sampler()["wrapS"] = 33071; }), want);
+    EXPECT_EQ(toldOf([](Pane& p) { p.json["images"][1]["bufferView"] = p.view(tinyPng(1, 1, "abcd")); }), want);
+}
+
+TEST(Transmission, TextureIsOpenedWhereItCounts) {
+    Pane pane;
+    pane.json["images"][1] = {{"uri", "absent.png"}};
+    EXPECT_NE(inputError([&] { (void)frameOf(pane); }).find("image 1 (absent.png)"), std::string::npos);
+    pane.json["materials"][0]["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = 0;
+    EXPECT_EQ(inputError([&] { (void)frameOf(pane); }), "");
+}
+
+/// A veil of two triangles, without an image, with these vertex colours.
+Frame veil(const std::vector<float>& colours, const char* type, Json material = {{"alphaMode", "BLEND"}}) {
+    Builder builder;
+    material["pbrMetallicRoughness"]["baseColorFactor"] = {0.5, 0.5, 0.5, 0.5};
+    builder.json["materials"] = {material};
+    builder.meshNode({0, 0, 0, 1, 0, 0, 0, 1, 0, 2, 0, 0, 3, 0, 0, 2, 1, 0}, {0, 1, 2, 3, 4, 5});
+    const int colour = builder.floats(colours, type, colours.size() / 6);
+    auto& primitive = builder.json["meshes"][0]["primitives"][0];
+    primitive["material"] = 0;
+    primitive["attributes"]["COLOR_0"] = colour;
+    return frameOf(builder);
+}
+std::vector<float> six(std::vector<float> first, const std::vector<float>& second) {  // three vertices each
+    std::vector<float> all;
+    for (int i = 0; i < 6; ++i) all.insert(all.end(), i < 3 ? first.begin() : second.begin(), i < 3 ? first.end() : second.end());
+    return all;
+}
+glm::vec4 factorOf(const Frame& frame, size_t surface) { return frame.look->materials.at(frame.surfaces.at(surface).material).baseColor; }
+
+TEST(VertexColours, MultiplyWhatPasses) {
+    const Frame frame = veil(six({0.1f, 0.2f, 0.3f, 1}, {1, 1, 1, 0.75f}), "VEC4");
+    EXPECT_EQ(frame.surfaces.at(0).material, 0u) << "alpha 1; without a transmission the colour decides nothing";
+    EXPECT_EQ(factorOf(frame, 1), glm::vec4(0.5f, 0.5f, 0.5f, 0.375f));
+    EXPECT_EQ(frame.material, (std::vector<uint32_t>{0, 0})) << "pictures know the file's materials only";
+    EXPECT_EQ(noticeOf(frame, "COLOR_0 of material 0"), "");
+    const Json glass = {{"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 1}}}}}};
+    const Frame tinted = veil(six({0.5f, 1, 0, 0.25f}, {1, 1, 1, 0}), "VEC4", glass);
+    EXPECT_EQ(factorOf(tinted, 0), glm::vec4(0.25f, 0.5f, 0, 0.5f)) << "glass has no alpha";
+    EXPECT_EQ(tinted.surfaces.at(1).material, 0u);
+    EXPECT_EQ(factorOf(veil(six({0.5f, 1, 0}, {2, -1, 1}), "VEC3", glass), 1), glm::vec4(0.5f, 0, 0.5f, 0.5f)) << "clamped";
+    EXPECT_EQ(veil(six({0, 0, 0}, {0, 0, 0}), "VEC3").surfaces.at(0).material, 0u) << "three numbers: alpha is 1";
+    EXPECT_TRUE(veil(std::vector<float>(6, NAN), "SCALAR", Json::object()).surfaces.empty()) << "nobody reads those of an opaque one";
+}
+
+TEST(VertexColours, ThatDifferCountWithTheirMean) {
+    std::vector<float> colours = six({1, 1, 1, 0.8f}, {1, 1, 1, 0.8f});
+    colours[3] = 0.2f;
+    const Frame frame = veil(colours, "VEC4");
+    EXPECT_NEAR(factorOf(frame, 0).w, 0.5 * 0.6, 1e-6);
+    EXPECT_EQ(factorOf(frame, 1).w, 0.5f * 0.8f);
+    EXPECT_EQ(noticeOf(frame, "COLOR_0 of material 0"), "differs within triangles; each is taken with the mean of its vertices");
+}
+
+TEST(VertexColours, ThatAreNone) {
+    const auto refusal = [](const std::vector<float>& colours, const char* type) { return inputError([&] { (void)veil(colours, type); }); };
+    EXPECT_NE(refusal(std::vector<float>(12, 0.5f), "VEC2").find("wrong type"), std::string::npos);
+    EXPECT_NE(refusal(std::vector<float>(24, NAN), "VEC4").find("COLOR_0 is not finite"), std::string::npos);
+    Builder builder;
+    builder.json["materials"] = {{{"alphaMode", "BLEND"}}};
+    builder.meshNode(kTriangle);
+    const int two = builder.floats(std::vector<float>(8, 0.5f), "VEC4", 4);
+    auto& primitive = builder.json["meshes"][0]["primitives"][0];
+    primitive["material"] = 0;
+    primitive["attributes"]["COLOR_0"] = two;
+    EXPECT_NE(inputError([&] { (void)frameOf(builder); }).find("COLOR_0 has 2 entries for 3 vertices"), std::string::npos);
+    primitive["attributes"]["COLOR_0"] = 77;
+    EXPECT_NE(inputError([&] { (void)frameOf(builder); }).find("does not exist"), std::string::npos);
+}
+
 TEST(Materials, StandBesideOpaqueTriangles) {
     Leaf leaf;
     leaf.json["materials"].push_back({{"alphaMode", "BLEND"}});
@@ -192,12 +330,13 @@ void expectRefused(const std::string& words, const std::function<void(Leaf&)>& s
 
 TEST(BadTexture, ImageThatCannotBeRead) {
     expectRefused("image 0 (absent.png): no such file", [](Leaf& l) { l.json["images"] = {{{"uri", "absent.png"}}}; });
-    expectRefused("image 0 (absent\x20leaf.png): no such file", [](Leaf& l) { l.json["images"] = {{{"uri", "absent%20leaf.png"}}}; });
+    expectRefused("image 0 (absent%20leaf.png): no such file", [](Leaf& l) { l.json["images"] = {{{"uri", "absent%20leaf.png"}}}; });
     expectRefused("not a path beside the model", [](Leaf& l) { l.json["images"] = {{{"uri", "/dev/zero"}}}; });
     expectRefused("not a path beside the model", [](Leaf& l) { l.json["images"] = {{{"uri", ""}}}; });
     expectRefused("neither a buffer view nor a uri", [](Leaf& l) { l.json["images"] = {Json::object()}; });
     expectRefused("neither a buffer view nor a uri", [](Leaf& l) { l.json["images"] = {{{"uri", 7}}}; });
-    expectRefused("data uri is broken", [](Leaf& l) { l.json["images"] = {{{"uri", "data:image/png;base64,"}}}; });
+    expectRefused("image 0 is not a PNG or JPEG", [](Leaf& l) { l.json["images"] = {{{"uri", "data:image/png;base64,"}}}; });
+    expectRefused("image 0: its base64 is truncated", [](Leaf& l) { l.json["images"] = {{{"uri", "data:image/png;base64,iVBORw0KGgoAA"}}}; });
     expectRefused("buffer view 99 does not exist", [](Leaf& l) { l.json["images"][0]["bufferView"] = 99; });
     expectRefused("not a whole number", [](Leaf& l) { l.json["images"][0]["bufferView"] = -1; });
     expectRefused("reaches past the end", [](Leaf& l) { l.json["bufferViews"][0]["byteLength"] = 100000; });
@@ -230,7 +369,9 @@ TEST(BadTexture, ReferencesThatLeadNowhere) {
     expectRefused("whole number", [](Leaf& l) { l.texture()["index"] = 0.5; });
     expectRefused("entry 3 of samplers does not exist", [](Leaf& l) { l.json["textures"][0]["sampler"] = 3; });
     expectRefused("source is not a whole number", [](Leaf& l) { l.json["textures"][0]["source"] = "leaf"; });
-    expectRefused("has no PNG or JPEG", [](Leaf& l) { l.json["textures"][0] = {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}}; });
+    expectRefused("texture 0 has no PNG or JPEG; material 0 lets light through", [](Leaf& l) {
+        l.json["textures"][0] = {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}};
+    });
     expectRefused("wrap mode 7 is not glTF", [](Leaf& l) { l.sampler() = {{"wrapS", 7}}; });
     expectRefused("wrapT is not a whole number", [](Leaf& l) { l.sampler() = {{"wrapT", "repeat"}}; });
 }
@@ -271,6 +412,29 @@ TEST(BadMaterial, Numbers) {
     expectRefused("offset is not an array of 2 numbers", transform({{"offset", {1, 2, 3}}}));
     expectRefused("scale is not a finite number", transform({{"scale", {1, "x"}}}));
     expectRefused("rotation is not a finite number", transform({{"rotation", "x"}}));
+    const auto glossy = [](const Json& value) {
+        return [value](Leaf& l) { l.json["materials"][0]["extensions"]["KHR_materials_pbrSpecularGlossiness"] = value; };
+    };
+    expectRefused("is not an object", glossy(7));
+    expectRefused("does not have 4 numbers", glossy({{"diffuseFactor", {1, 1, 1}}}));
+    expectRefused("diffuseFactor is not a finite number", glossy({{"diffuseFactor", {1, 1, 1, "x"}}}));
+    expectRefused("diffuseFactor is not an array of numbers", glossy({{"diffuseFactor", 1}}));
+    expectRefused("diffuseTexture is no object", glossy({{"diffuseTexture", 0}}));
+    expectRefused("diffuseTexture has no index", glossy({{"diffuseTexture", Json::object()}}));
+    expectRefused("entry 5 of textures does not exist", glossy({{"diffuseTexture", {{"index", 5}}}}));
+    expectRefused("index is -1", glossy({{"diffuseTexture", {{"index", -1}}}}));
+    expectRefused("lacks TEXCOORD_2", glossy({{"diffuseTexture", {{"index", 0}, {"texCoord", 2}}}}));
+    expectRefused("offset is not an array of 2 numbers",
+                  glossy({{"diffuseTexture", {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"offset", 1}}}}}}}}));
+    const auto glass = [](const Json& value) {
+        return [value](Leaf& l) {
+            l.json["materials"][0]["extensions"]["KHR_materials_transmission"] = {{"transmissionFactor", 1}, {"transmissionTexture", value}};
+        };
+    };
+    expectRefused("transmissionTexture is no object", glass("x"));
+    expectRefused("transmissionTexture has no index", glass(Json::object()));
+    expectRefused("entry 5 of textures does not exist", glass({{"index", 5}}));
+    expectRefused("index is 0.5", glass({{"index", 0.5}}));
     expectRefused("transmissionFactor is not a finite number",
                   [](Leaf& l) { l.json["materials"][0]["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = "x"; });
 }

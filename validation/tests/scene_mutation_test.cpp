@@ -59,17 +59,24 @@ Builder animatedFile() {
     builder.meshNode(kCube, kCubeIndices);
     builder.node({{"camera", 0}, {"translation", {0, 0, 9}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}}, false);
     builder.node({{"camera", 1}, {"children", {1}}, {"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}});
+    builder.json["nodes"][0]["extensions"]["KHR_node_visibility"] = {{"visible", true}};
     const int input = builder.floats({0, 1}, "SCALAR", 1), move = builder.positions({0, 0, 0, 1, 2, 3}),
               turn = builder.floats({0, 0, 0, 1, 0, 1, 0, 0}, "VEC4", 4);
-    const int cubic = builder.positions(std::vector<float>(18, 0.5f));
+    const int cubic = builder.positions(std::vector<float>(18, 0.5f)), shown = builder.accessor(builder.view("\1\2"), kU8, 2, "SCALAR");
+    const auto pointing = [](const char* pointer) {
+        return Json{{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}};
+    };
     builder.json["animations"] = {{{"samplers",
                                     {{{"input", input}, {"output", move}},
                                      {{"input", input}, {"output", turn}},
-                                     {{"input", input}, {"output", cubic}, {"interpolation", "CUBICSPLINE"}}}},
+                                     {{"input", input}, {"output", cubic}, {"interpolation", "CUBICSPLINE"}},
+                                     {{"input", input}, {"output", shown}, {"interpolation", "STEP"}}}},
                                    {"channels",
                                     {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}},
                                      {{"sampler", 1}, {"target", {{"node", 2}, {"path", "rotation"}}}},
-                                     {{"sampler", 2}, {"target", {{"node", 2}, {"path", "scale"}}}}}}}};
+                                     {{"sampler", 2}, {"target", {{"node", 2}, {"path", "scale"}}}},
+                                     {{"sampler", 1}, {"target", pointing("/nodes/0/rotation")}},
+                                     {{"sampler", 3}, {"target", pointing("/nodes/0/extensions/KHR_node_visibility/visible")}}}}}};
     return builder;
 }
 
@@ -103,7 +110,7 @@ Builder leafyFile() {
          {"pbrMetallicRoughness",
           {{"baseColorTexture",
             {{"index", 0}, {"texCoord", 1}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0.5}}, {"scale", {2, 2}}}}}}}}}},
-         {"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}}}}}}};
+         {"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}, {"transmissionTexture", {{"index", 0}, {"texCoord", 1}}}}}}}}};
     builder.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
     builder.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}}};
     const int image = builder.view(tinyPng(4, 4, std::string(64, '\x5A')));
@@ -111,8 +118,33 @@ Builder leafyFile() {
     builder.meshNode(kCube, kCubeIndices);
     auto& primitive = builder.json["meshes"][0]["primitives"][0];
     const int uv = builder.floats(std::vector<float>{0, 0, 1, 0, 0, 1, 1, 1, 0, 0, 1, 0, 0, 1, 1, 1}, "VEC2", 2);
-    primitive["attributes"]["TEXCOORD_1"] = uv;
+    const int colours = builder.floats(std::vector<float>(32, 0.75f), "VEC4", 4);
+    primitive["attributes"].update({{"TEXCOORD_1", uv}, {"COLOR_0", colours}});
     primitive["material"] = 0;
+    return builder;
+}
+
+// Positions and indices with a compressed copy each that is not needed, and a material of the older kind.
+Builder compressedFile() {
+    Builder builder;
+    builder.meshNode(kCube, kCubeIndices);
+    builder.json["bufferViews"][0]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 1},      {"byteOffset", 0},      {"byteLength", 8},
+                                                                               {"byteStride", 12}, {"mode", "ATTRIBUTES"}, {"count", 8}};
+    auto& primitive = builder.json["meshes"][0]["primitives"][0];
+    primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 1}, {"attributes", {{"POSITION", 0}}}};
+    const int image = builder.view(tinyPng(2, 2, std::string(16, '\x5A'))), uv = builder.floats(std::vector<float>(16, 0.5f), "VEC2", 2);
+    primitive["attributes"]["TEXCOORD_0"] = uv;
+    primitive["material"] = 0;
+    builder.json["materials"] = {
+        {{"alphaMode", "BLEND"},
+         {"extensions",
+          {{"KHR_materials_pbrSpecularGlossiness",
+            {{"diffuseFactor", {1, 1, 1, 0.5}},
+             {"diffuseTexture", {{"index", 0}, {"texCoord", 0}, {"extensions", {{"KHR_texture_transform", {{"scale", {2, 2}}}}}}}}}}}}}};
+    builder.json["textures"] = {{{"source", 0}}};
+    builder.json["images"] = {{{"bufferView", image}}};
+    builder.json["buffers"] = {{{"byteLength", builder.binary.size()}},
+                               {{"byteLength", 8}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}}};
     return builder;
 }
 
@@ -250,7 +282,7 @@ private:
 TEST(Mutation, LoadsOrIsRefusedInOneLine) {
     const uint64_t seed = setting("GNOMON_SEED", 20250131), mutants = setting("GNOMON_MUTANTS", 1600);
     std::printf("seed %llu, %llu mutants\n", static_cast<unsigned long long>(seed), static_cast<unsigned long long>(mutants));
-    const Builder files[]{plainFile(), quantizedFile(), animatedFile(), skinnedFile(), leafyFile()};
+    const Builder files[]{plainFile(), quantizedFile(), animatedFile(), skinnedFile(), leafyFile(), compressedFile()};
     const TemporaryFolder folder;
     Mutator mutator(seed);
     uint64_t loaded = 0, refused = 0;

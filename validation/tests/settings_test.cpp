@@ -145,6 +145,8 @@ TEST(CommandLine, Defaults) {
     EXPECT_FALSE(options.check);
     EXPECT_FALSE(options.dump);
     EXPECT_TRUE(options.pictures);
+    EXPECT_FALSE(options.quiet);
+    EXPECT_EQ(options.animation, "");
 }
 
 TEST(CommandLine, EverythingGiven) {
@@ -222,7 +224,12 @@ TEST(CommandLine, UnknownWords) {
 }
 
 TEST(CommandLine, OtherCommands) {
-    const Command effects = parse({"effects", "a.gltf", "--frame", "12"});
+    const Command effects = parse({"effects", "a.gltf", "--frame", "12", "--animation", "Walk", "--quiet"});
+    EXPECT_EQ(effects.animation, "Walk");
+    EXPECT_TRUE(effects.quiet);
+    const ShadeOptions quiet = shadeOptions({"--quiet", "--animation", "1"});
+    EXPECT_EQ(quiet.animation, "1");
+    EXPECT_TRUE(quiet.quiet);
     EXPECT_EQ(effects.kind, Command::Kind::effects);
     EXPECT_EQ(effects.scene, "a.gltf");
     EXPECT_EQ(effects.frame, 12u);

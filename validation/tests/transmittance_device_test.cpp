@@ -48,6 +48,7 @@ std::shared_ptr<const host::MaterialSet> makeLook(Random& r) {
     auto look = std::make_shared<host::MaterialSet>();
     for (const auto& [width, height] : {std::pair{1u, 1u}, {16u, 16u}, {5u, 3u}}) {
         TextureImage& image = look->images.emplace_back(TextureImage{width, height, {}});
+        image.isLinear = width == 5;
         for (uint32_t i = 0; i < width * height; ++i)
             for (int c = 0; c < 4; ++c) image.rgba.push_back(static_cast<uint8_t>(c == 3 && r.below(2) == 0 ? 255 * r.below(2) : r.below(256)));
     }
