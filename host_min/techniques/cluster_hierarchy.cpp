@@ -26,8 +26,10 @@ std::string clusterOverLimit(const DeviceFacts& device, const FrameLoad& load, c
             "{}x{}: what casters let through takes {} bytes, over the device's maxStorageBufferRange of {}: use a smaller --size, or "
             "--set materials=off",
             load.width, load.height, sums, limit);
-    return overCasters(load.triangles, clusterMostCasters(limit),
-                       fmt::format("112 bytes each in one array, the device's maxStorageBufferRange of {}; 64 in each of 65535 work groups", limit));
+    const uint64_t most = clusterMostCasters(limit);
+    return overCasters(load.triangles, most,
+                       most == limit / 112 ? fmt::format("112 bytes each in one array, the device's maxStorageBufferRange of {}", limit)
+                                           : std::string("64 in each of 65535 work groups"));
 }
 
 void ClusterHierarchy::prepare(const FrameInputs& inputs) {

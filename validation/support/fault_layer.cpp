@@ -39,20 +39,19 @@ std::atomic<bool> lost{false};
 bool noTimestamps = false;
 uint32_t mostTexels = 0;  // 0: as the device says
 
-// One instance and one device at a time, as the program has them.
+// The next layer's (or the driver's) functions, of the one instance and the one device that the program has. Asked for when these are made: later
+// the loader answers with the top of the chain.
 PFN_vkGetInstanceProcAddr nextInstanceProc = nullptr;
 PFN_vkGetDeviceProcAddr nextDeviceProc = nullptr;
-VkInstance theInstance = nullptr;
-VkDevice theDevice = nullptr;
-
-template <class Function>
-Function next(const char* name) {
-    return reinterpret_cast<Function>(nextInstanceProc(theInstance, name));
-}
-template <class Function>
-Function nextOfDevice(const char* name) {
-    return reinterpret_cast<Function>(nextDeviceProc(theDevice, name));
-}
+PFN_vkDestroyInstance nextDestroyInstance = nullptr;
+PFN_vkCreateDevice nextCreateDevice = nullptr;
+PFN_vkGetPhysicalDeviceQueueFamilyProperties nextQueueFamilies = nullptr;
+PFN_vkGetPhysicalDeviceProperties nextProperties = nullptr;
+PFN_vkGetPhysicalDeviceProperties2 nextProperties2 = nullptr;
+PFN_vkAllocateMemory nextAllocate = nullptr;
+PFN_vkQueueSubmit2 nextSubmit = nullptr;
+PFN_vkWaitForFences nextAwait = nullptr;
+PFN_vkCreateComputePipelines nextCompile = nullptr;
 
 void readFaults() {
     const char* text = std::getenv("GNOMON_FAULT");
@@ -96,16 +95,16 @@ VkResult faultOf(Call& call) {
 VKAPI_ATTR VkResult VKAPI_CALL allocateMemory(VkDevice device, const VkMemoryAllocateInfo* info, const VkAllocationCallbacks* host,
                                               VkDeviceMemory* memory) {
     const VkResult fault = faultOf(allocate);
-    return fault != VK_SUCCESS ? fault : nextOfDevice<PFN_vkAllocateMemory>(allocate.name)(device, info, host, memory);
+    return fault != VK_SUCCESS ? fault : nextAllocate(device, info, host, memory);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL queueSubmit2(VkQueue queue, uint32_t count, const VkSubmitInfo2* infos, VkFence fence) {
     const VkResult fault = faultOf(submit);
-    return fault != VK_SUCCESS ? fault : nextOfDevice<PFN_vkQueueSubmit2>(submit.name)(queue, count, infos, fence);
+    return fault != VK_SUCCESS ? fault : nextSubmit(queue, count, infos, fence);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL waitForFences(VkDevice device, uint32_t count, const VkFence* fences, VkBool32 all, uint64_t timeout) {
-    const VkResult done = nextOfDevice<PFN_vkWaitForFences>(await.name)(device, count, fences, all, timeout);
+    const VkResult done = nextAwait(device, count, fences, all, timeout);
     const VkResult fault = faultOf(await);  // afterwards: the real device must not be left at work
     return fault != VK_SUCCESS ? fault : done;
 }
@@ -114,13 +113,13 @@ VKAPI_ATTR VkResult VKAPI_CALL createComputePipelines(VkDevice device, VkPipelin
                                                       const VkComputePipelineCreateInfo* infos, const VkAllocationCallbacks* host,
                                                       VkPipeline* pipelines) {
     const VkResult fault = faultOf(compile);
-    if (fault == VK_SUCCESS) return nextOfDevice<PFN_vkCreateComputePipelines>(compile.name)(device, cache, count, infos, host, pipelines);
+    if (fault == VK_SUCCESS) return nextCompile(device, cache, count, infos, host, pipelines);
     std::fill_n(pipelines, count, VkPipeline(VK_NULL_HANDLE));
     return fault;
 }
 
 VKAPI_ATTR void VKAPI_CALL getQueueFamilyProperties(VkPhysicalDevice device, uint32_t* count, VkQueueFamilyProperties* families) {
-    next<PFN_vkGetPhysicalDeviceQueueFamilyProperties>("vkGetPhysicalDeviceQueueFamilyProperties")(device, count, families);
+    nextQueueFamilies(device, count, families);
     for (uint32_t i = 0; noTimestamps && families != nullptr && i < *count; ++i) families[i].timestampValidBits = 0;
 }
 
@@ -130,12 +129,12 @@ void change(VkPhysicalDeviceLimits& limits) {
 }
 
 VKAPI_ATTR void VKAPI_CALL getProperties(VkPhysicalDevice device, VkPhysicalDeviceProperties* properties) {
-    next<PFN_vkGetPhysicalDeviceProperties>("vkGetPhysicalDeviceProperties")(device, properties);
+    nextProperties(device, properties);
     change(properties->limits);
 }
 
 VKAPI_ATTR void VKAPI_CALL getProperties2(VkPhysicalDevice device, VkPhysicalDeviceProperties2* properties) {
-    next<PFN_vkGetPhysicalDeviceProperties2>("vkGetPhysicalDeviceProperties2")(device, properties);
+    nextProperties2(device, properties);
     change(properties->properties.limits);
 }
 
@@ -156,13 +155,21 @@ VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, 
     readFaults();
     const auto create = reinterpret_cast<PFN_vkCreateInstance>(nextInstanceProc(VK_NULL_HANDLE, "vkCreateInstance"));
     const VkResult result = create(info, host, instance);
-    theInstance = *instance;
+    if (result != VK_SUCCESS) return result;
+    const auto find = [&]<class Function>(Function& function, const char* name) {
+        function = reinterpret_cast<Function>(nextInstanceProc(*instance, name));
+    };
+    find(nextDestroyInstance, "vkDestroyInstance");
+    find(nextCreateDevice, "vkCreateDevice");
+    find(nextQueueFamilies, "vkGetPhysicalDeviceQueueFamilyProperties");
+    find(nextProperties, "vkGetPhysicalDeviceProperties");
+    find(nextProperties2, "vkGetPhysicalDeviceProperties2");
     return result;
 }
 
 VKAPI_ATTR void VKAPI_CALL destroyInstance(VkInstance instance, const VkAllocationCallbacks* host) {
     writeCounts();
-    next<PFN_vkDestroyInstance>("vkDestroyInstance")(instance, host);
+    nextDestroyInstance(instance, host);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info, const VkAllocationCallbacks* host,
@@ -171,8 +178,15 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkD
     if (link == nullptr) return VK_ERROR_INITIALIZATION_FAILED;
     nextDeviceProc = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
     link->u.pLayerInfo = link->u.pLayerInfo->pNext;
-    const VkResult result = next<PFN_vkCreateDevice>("vkCreateDevice")(physical, info, host, device);
-    theDevice = *device;
+    const VkResult result = nextCreateDevice(physical, info, host, device);
+    if (result != VK_SUCCESS) return result;
+    const auto find = [&]<class Function>(Function& function, const char* name) {
+        function = reinterpret_cast<Function>(nextDeviceProc(*device, name));
+    };
+    find(nextAllocate, allocate.name);
+    find(nextSubmit, submit.name);
+    find(nextAwait, await.name);
+    find(nextCompile, compile.name);
     return result;
 }
 
@@ -198,7 +212,7 @@ PFN_vkVoidFunction ours(std::string_view name) {
 
 PFN_vkVoidFunction getInstanceProc(VkInstance instance, const char* name) {
     const PFN_vkVoidFunction function = ours(name);
-    return function != nullptr ? function : nextInstanceProc(instance, name);
+    return function != nullptr || nextInstanceProc == nullptr ? function : nextInstanceProc(instance, name);
 }
 
 PFN_vkVoidFunction getDeviceProc(VkDevice device, const char* name) {
