@@ -6,7 +6,9 @@
 #include "host_min/app/shade.hpp"
 #include "host_min/error.hpp"
 #include "host_min/interrupt.hpp"
+#include "host_min/output/atomic_file.hpp"
 #include "host_min/output/guarded.hpp"
+#include "host_min/vulkan/faults.hpp"
 
 namespace {
 
@@ -17,7 +19,9 @@ int run(int argc, const char* const* argv) {
         case Command::Kind::none:
             break;
         case Command::Kind::shade:
-            if (!shade(command.shade)) throw WorkError("the validation layer had something to say (see above)");
+            withVulkanFaults([&] {
+                if (!shade(command.shade)) throw WorkError("the validation layer had something to say (see above)");
+            });
             break;
         case Command::Kind::effects: {
             const SceneFile file = SceneFile::load(command.scene, command.animation);
@@ -37,6 +41,6 @@ int run(int argc, const char* const* argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    gno::host::catchInterrupts();
+    gno::host::catchInterrupts("gnomon", gno::host::removeUnfinishedFiles);
     return gno::host::guarded("gnomon", "use a smaller --size or scene", [&] { return run(argc, argv); });
 }

@@ -98,6 +98,12 @@ constexpr std::uint64_t clusterBoxes(const ClusterLayout& layout, const ClusterO
 }
 constexpr std::uint64_t clusterBoxBytes(ClusterForm form) { return form == ClusterForm::flat ? 4 : 12; }
 
+/// The most casters that one binding of `storageRange` bytes (maxStorageBufferRange) and one row of 65,535 work groups hold.
+constexpr std::uint64_t clusterMostCasters(std::uint64_t storageRange) {
+    const std::uint64_t bound = storageRange / 112, groups = 64ull * 65535;
+    return bound < groups ? bound : groups;
+}
+
 /// gnoClusterFrame's contents. `frame` is clusterFrame() of the camera (core/grid.hpp); `frontCulled`: casters that face the light are left out
 /// (GNO_CULL_FRONT).
 constexpr ClusterUniform clusterUniform(ClusterFrame frame, std::uint32_t casters, bool frontCulled, const ClusterOptions& options) {

@@ -83,7 +83,9 @@ std::vector<Effect> effectsOf(const SceneFile& file, const Frame& frame, int lig
     return effects;
 }
 
-Choice chooseAutomatically(const Frame& frame, Precision precision) {
+namespace {
+
+Choice bestFor(const Frame& frame, Precision precision) {
     if (!frame.surfaces.empty())
         return {&techniqueByName("ptsv"), fmt::format("ptsv: {} of {} alpha-tested or coloured, which the faster forest takes for opaque",
                                                       frame.surfaces.size(), counted(frame.triangles.size(), "caster"))};
@@ -96,6 +98,46 @@ Choice chooseAutomatically(const Frame& frame, Precision precision) {
                                                     "scene, build and query together, and its worst sample stays "
                                                     "near the mean, unlike that of the lists of light-grid",
                                                     counted(frame.triangles.size(), "caster"), name(precision))};
+}
+
+/// Those that answer for every scene, the best first. For casters that are not opaque, those come first that know of them.
+std::vector<Technique*> inOrder(const Frame& frame, Precision precision) {
+    std::vector<const char*> names{"forest", "d-hybrid", "light-grid", "ptsv", "light-bvh", "d-stackless", "d-psv", "psv", "ptsv-2011"};
+    if (!frame.surfaces.empty()) names.insert(names.begin(), {"ptsv", "ptsv-2011"});
+    std::vector<Technique*> order{bestFor(frame, precision).technique};
+    for (const char* name : names) {
+        Technique* technique = &techniqueByName(name);
+        const auto& rungs = technique->info().precisions;
+        if (std::find(rungs.begin(), rungs.end(), precision) == rungs.end()) continue;
+        if (std::find(order.begin(), order.end(), technique) == order.end()) order.push_back(technique);
+    }
+    return order;
+}
+
+/// Why it cannot be asked; empty: it can.
+std::string obstacle(const Technique& technique, const Frame& frame, const ChoiceFacts& facts) {
+    const TechniqueInfo& info = technique.info();
+    if (facts.refused.contains(&technique)) return "it refused";
+    const std::string missing = missingFor(info, facts.device);
+    if (!missing.empty()) return "the device lacks " + missing;
+    return technique.overLimit(facts.device, {frame.triangles.size(), facts.width, facts.height, !frame.surfaces.empty()},
+                               Settings(info.settings, facts.settings));
+}
+
+}  // namespace
+
+Choice chooseAutomatically(const Frame& frame, Precision precision, const ChoiceFacts& facts) {
+    const Choice best = bestFor(frame, precision);
+    const std::string why = obstacle(*best.technique, frame, facts);
+    if (why.empty()) return best;
+    for (Technique* next : inOrder(frame, precision)) {
+        if (!obstacle(*next, frame, facts).empty()) continue;
+        const auto& effects = next->info().effects;
+        const bool opaque = !frame.surfaces.empty() && std::find(effects.begin(), effects.end(), "alpha_tested_casters") == effects.end();
+        return {next, fmt::format("{}: {} would be better here, but {}{}", next->info().name, best.technique->info().name, why,
+                                  opaque ? "; alpha-tested and coloured casters are taken for opaque" : "")};
+    }
+    return {nullptr, fmt::format("no technique holds this scene on this device; {}: {}", best.technique->info().name, why)};
 }
 
 void printNotices(const std::vector<std::string>& notices, std::set<std::string, std::less<>>& told) {

@@ -22,10 +22,20 @@ std::vector<Effect> effectsOf(const SceneFile& file, const Frame& frame, int lig
 
 /// What `auto` runs, and why.
 struct Choice {
-    Technique* technique;
+    Technique* technique;  ///< null: no technique holds the scene, and `why` says so
     std::string why;
 };
-Choice chooseAutomatically(const Frame& frame, Precision precision);
+
+/// What a run knows besides the scene. The default: the least device that will do.
+struct ChoiceFacts {
+    DeviceFacts device{};
+    uint32_t width = 1024, height = 1024;
+    std::vector<std::string> settings{};   ///< KEY=VALUE each
+    std::set<const Technique*> refused{};  ///< by these already, in this run
+};
+
+/// The best for the scene; where the device does not hold it, the next that does, and `why` tells both.
+Choice chooseAutomatically(const Frame& frame, Precision precision, const ChoiceFacts& facts = {});
 
 /// One line "note: ..." each, but none whose subject is in `told`, which gets it.
 void printNotices(const std::vector<std::string>& notices, std::set<std::string, std::less<>>& told);

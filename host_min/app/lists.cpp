@@ -44,9 +44,10 @@ void printDevices() {
         const DeviceFacts& f = devices[i];
         fmt::print(
             "{} {}\n  driver {} {}\n  Vulkan {}.{}, subgroup width {}\n  maxStorageBufferRange {}, maxImageDimension2D {}, maxBoundDescriptorSets "
-            "{}, maxPushConstantsSize {}, ray queries {}\n",
+            "{}, maxPushConstantsSize {}, ray queries {}, time stamps {}\n",
             i, f.deviceName, f.driverName, f.driverInfo, f.apiVersionMajor, f.apiVersionMinor, f.subgroupSize, f.maxStorageBufferRange,
-            f.maxImageDimension2D, f.maxBoundDescriptorSets, f.maxPushConstantsSize, f.rayQuery ? "yes" : "no");
+            f.maxImageDimension2D, f.maxBoundDescriptorSets, f.maxPushConstantsSize, f.rayQuery ? "yes" : "no",
+            f.timestampValidBits > 0 ? "yes" : "no");
         const auto missing = missingRequirements(f);
         if (!missing.empty()) fmt::print("  missing: {}\n", fmt::join(missing, ", "));
     }

@@ -12,12 +12,14 @@
 
 #include "host_min/app/effects.hpp"
 #include "host_min/app/outputs.hpp"
+#include "host_min/app/refusals.hpp"
 #include "host_min/app/result.hpp"
 #include "host_min/error.hpp"
 #include "host_min/interrupt.hpp"
 #include "host_min/output/atomic_file.hpp"
 #include "host_min/output/table.hpp"
 #include "host_min/scene/one_line.hpp"
+#include "host_min/vulkan/faults.hpp"
 
 namespace gno::host {
 namespace {
@@ -128,19 +130,33 @@ bool shade(const ShadeOptions& options) {
     std::map<uint32_t, StructureCache> structuresOf;  // per light; they outlive frames
     std::set<std::string, std::less<>> told;
     if (!leftOut.empty()) fmt::print("{}\n", leftOut);
+    if (device.facts().timestampValidBits == 0) fmt::print("the device has no time stamps: times are missing\n");
+    const bool automatic = options.techniques.empty() && !options.allTechniques;
+    using Asked = Refusals::Asked;
+    Refusals refusals(automatic               ? Asked::automatically
+                      : options.allTechniques ? Asked::all
+                                              : Asked::byName,
+                      device.facts(), options.settings, progress);
 
     std::optional<Grid> grid;  // of the frame before
-    for (uint32_t number = options.firstFrame; number <= options.lastFrame; ++number) {
+    const auto shadeFrame = [&](uint32_t number) {
         throwIfInterrupted();
         progress.show("scene");
         const Frame frame = file.evaluate(number, View{options.camera, options.width, options.height, options.light, grid});
         grid = frame.grid;
         tellGrid(frame, options, forFrame.word("grid") == "anyway", number == options.firstFrame);
-        if (options.techniques.empty() && !options.allTechniques) {
-            const Choice choice = chooseAutomatically(frame, options.precision);
-            if (number == options.firstFrame) fmt::print("auto: {}\n", choice.why);
-            chosen = {choice.technique};
-        }
+        const FrameLoad load{frame.triangles.size(), options.width, options.height, !frame.surfaces.empty()};
+        const auto choose = [&] {
+            const Choice choice =
+                chooseAutomatically(frame, options.precision, {device.facts(), options.width, options.height, options.settings, refusals.refused()});
+            if (choice.technique == nullptr) throw InputError(choice.why);
+            progress.clear();
+            if (chosen.empty() || chosen.back() != choice.technique) fmt::print("auto: {}\n", choice.why);
+            return choice.technique;
+        };
+        if (automatic) chosen = {choose()};
+        std::erase_if(chosen, [&](const Technique* technique) { return !refusals.holds(*technique, load); });
+        if (chosen.empty()) return;
         if (!options.quiet) printNotices(noticesOf(frame, chosen, options), told);
         FrameInputs inputs(passes, frame, options.width, options.height);
         for (uint32_t light = options.light.value_or(0); light <= options.light.value_or(lightCount - 1); ++light) {
@@ -163,9 +179,7 @@ bool shade(const ShadeOptions& options) {
             structures.nextFrame();
             FrameOutputs outputs(options, inputs, file, number, light);
             const size_t firstRecord = records.size();
-            for (Technique* technique : chosen) {
-                throwIfInterrupted();
-                progress.show(technique->info().name);
+            const auto answerBy = [&](const Technique* technique) {
                 const TechniqueResult result = technique->run(inputs, structures, Settings(technique->info().settings, options.settings),
                                                               {options.precision, options.repeat, true, options.dump, true, options.trace});
                 Record record = makeRecord(inputs, result);
@@ -182,16 +196,46 @@ bool shade(const ShadeOptions& options) {
                 if (answer) record.check = compare(result, inputs, *answer);
                 outputs.add(record, result, answer ? &*answer : nullptr);
                 records.push_back(std::move(record));
+            };
+            for (size_t i = 0; i < chosen.size() && !refusals.gone(); ++i) {
+                throwIfInterrupted();
+                progress.show(chosen[i]->info().name);
+                if (!refusals.run(*chosen[i], [&] { answerBy(chosen[i]); }) && automatic && refusals.onlyLimits()) chosen.push_back(choose());
             }
+            std::erase_if(chosen, [&](const Technique* technique) { return refusals.refused().contains(technique); });
             throwIfInterrupted();
-            progress.show("writing");
-            outputs.write();
-            progress.clear();
-            fmt::print("{}", formatTable(std::span(records).subspan(firstRecord), wantsColor(1)));
-            std::fflush(stdout);
+            if (records.size() > firstRecord) {
+                progress.clear();
+                fmt::print("{}", formatTable(std::span(records).subspan(firstRecord), wantsColor(1)));
+                std::fflush(stdout);
+                progress.show("writing");
+                outputs.write();
+            }
+            if (chosen.empty() || refusals.gone()) return;
         }
+    };
+    // What is done stays, whatever stops the rest: but an interrupt, which leaves nothing of what it cut off.
+    const auto writeDone = [&] {
+        if (!options.json.empty() && !records.empty()) writeRecords(options.json, records);
+    };
+    try {
+        for (uint32_t number = options.firstFrame; number <= options.lastFrame && !refusals.gone(); ++number) {
+            if (number > options.firstFrame && chosen.empty()) break;
+            withVulkanFaults([&] { shadeFrame(number); });
+        }
+    } catch (const Interrupted&) {
+        throw;
+    } catch (...) {
+        try {
+            writeDone();
+        } catch (const std::exception&) {  // the first fault is the one to be told
+        }
+        throw;
     }
-    if (!options.json.empty()) writeRecords(options.json, records);
+    writeDone();
+    progress.clear();
+    refusals.finish();
+    if (records.empty()) throw InputError("no technique holds this scene on this device (see above)");
     return device.validationMessages() == 0;
 }
 

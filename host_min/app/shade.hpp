@@ -5,7 +5,8 @@
 
 namespace gno::host {
 
-/// Throws InputError or WorkError. Prints the table to stdout. Returns false when the validation layer had something to say.
+/// Throws InputError or WorkError, after the results of all techniques that were done are written (but for an interrupt). Prints the table to
+/// stdout. Returns false when the validation layer had something to say.
 bool shade(const ShadeOptions& options);
 
 }  // namespace gno::host

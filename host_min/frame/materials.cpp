@@ -41,7 +41,7 @@ uint64_t texelCount(const MaterialSet& look) {
 uint64_t checkedTexelBytes(const Device& device, const MaterialSet& look) {
     const uint64_t bytes = 4 * texelCount(look), limit = device.facts().maxStorageBufferRange;
     if (bytes > limit)
-        throw InputError(
+        throw LimitError(
             fmt::format("the images of casters that are not opaque have {} texels, over the limit of {} that the device's "
                         "maxStorageBufferRange sets: use smaller images",
                         bytes / 4, limit / 4));

@@ -7,11 +7,10 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
-#include <mutex>
 #include <random>
-#include <set>
 #include <stdexcept>
 #include <streambuf>
 #include <string>
@@ -23,23 +22,20 @@
 namespace gno::host {
 namespace fs = std::filesystem;
 
+namespace {}  // namespace
+
+/// A temporary of this process, in a list that a signal handler may walk at any time: what is in it is never changed but for `there`, and never
+/// freed. That is some hundred bytes for each file written.
+struct AtomicFile::Temporary {
+    const std::string path;
+    const Temporary* const next;
+    std::atomic<bool> there{true};
+};
+
 namespace {
 
-std::mutex unfinishedMutex;
-std::set<fs::path>& unfinished() {
-    static auto* const paths = new std::set<fs::path>;  // never destroyed: it may be asked for while the program ends
-    return *paths;
-}
-
-void remember(const fs::path& path) {
-    const std::lock_guard lock(unfinishedMutex);
-    unfinished().insert(path);
-}
-
-void forget(const fs::path& path) {
-    const std::lock_guard lock(unfinishedMutex);
-    unfinished().erase(path);
-}
+std::atomic<AtomicFile::Temporary*> temporaries{nullptr};
+static_assert(std::atomic<AtomicFile::Temporary*>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
@@ -49,9 +45,15 @@ bool isUsersMistake(int error) {
            error == ELOOP || error == ENXIO;
 }
 
+/// Errors of a full disk, or of a quota or a limit of file sizes.
+bool isNoRoom(int error) { return error == ENOSPC || error == EDQUOT || error == EFBIG; }
+
+constexpr const char* kMakeRoom = "; make room, or name a place with more of it";
+
 [[noreturn]] void refuse(const fs::path& target, const std::string& why, int error) {
     const std::string text = fmt::format("cannot write '{}': {}", target.string(), why);
     if (isUsersMistake(error)) throw InputError(text + "; name a file in an existing folder that you may write to");
+    if (isNoRoom(error)) throw RoomError(text + kMakeRoom);
     throw WorkError(text);
 }
 
@@ -156,6 +158,15 @@ private:
     std::array<char, 65536> bytes_;
 };
 
+AtomicFile::Temporary* AtomicFile::remember(const std::string& path) {
+    Temporary* first = temporaries.load();
+    while (true) {
+        auto* made = new Temporary{path, first};
+        if (temporaries.compare_exchange_strong(first, made)) return made;
+        delete made;
+    }
+}
+
 AtomicFile::AtomicFile(const fs::path& target) : target_(target), stream_(nullptr) {
     std::error_code status;
     if (target.empty() || target.filename().empty()) refuse(target, "no file name", ENOENT);
@@ -174,7 +185,9 @@ AtomicFile::AtomicFile(const fs::path& target) : target_(target), stream_(nullpt
         const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
         do {
             temporary_ = folder / fmt::format(".{}.{}.part", target_.filename().string().substr(0, 200), randomSuffix());
+            remembered_ = remember(temporary_.string());  // before it is there: an interrupt may come between
             fd = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            if (fd < 0) remembered_->there = false;
         } while (fd < 0 && errno == EEXIST);
         if (fd < 0) {
             const int error = errno;
@@ -190,10 +203,9 @@ AtomicFile::AtomicFile(const fs::path& target) : target_(target), stream_(nullpt
         buffer_ = std::make_unique<Buffer>(fd);
     } catch (...) {
         ::close(fd);
-        if (temporary_ != target_) ::unlink(temporary_.c_str());
+        discard();
         throw;
     }
-    if (temporary_ != target_) remember(temporary_);
     stream_.rdbuf(buffer_.get());
 }
 
@@ -201,9 +213,13 @@ AtomicFile::~AtomicFile() {
     stream_.rdbuf(nullptr);
     if (buffer_ == nullptr) return;
     buffer_.reset();
-    if (temporary_ == target_) return;
+    discard();
+}
+
+void AtomicFile::discard() {
+    if (remembered_ == nullptr) return;
     ::unlink(temporary_.c_str());
-    forget(temporary_);
+    remembered_->there = false;
 }
 
 const fs::path& AtomicFile::target() const { return target_; }
@@ -214,11 +230,11 @@ void AtomicFile::fail(int error) {
     const bool kept = temporary_ != target_;
     stream_.rdbuf(nullptr);
     buffer_.reset();
-    if (kept) {
-        ::unlink(temporary_.c_str());
-        forget(temporary_);
-    }
-    throw WorkError(fmt::format("cannot write '{}': {}{}", target_.string(), reason(error), kept ? "; what was there before is unchanged" : ""));
+    discard();
+    const std::string text =
+        fmt::format("cannot write '{}': {}{}", target_.string(), reason(error), kept ? "; what was there before is unchanged" : "");
+    if (isNoRoom(error)) throw RoomError(text + kMakeRoom);
+    throw WorkError(text);
 }
 
 void AtomicFile::commit() {
@@ -229,16 +245,12 @@ void AtomicFile::commit() {
     if (temporary_ != target_ && ::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
     stream_.rdbuf(nullptr);
     buffer_.reset();
-    if (temporary_ != target_) forget(temporary_);
+    if (remembered_ != nullptr) remembered_->there = false;
 }
 
 void removeUnfinishedFiles() noexcept {
-    try {
-        const std::lock_guard lock(unfinishedMutex);
-        for (const fs::path& path : unfinished()) ::unlink(path.c_str());
-        unfinished().clear();
-    } catch (...) {  // a lock that cannot be had: nothing can be done
-    }
+    for (const AtomicFile::Temporary* file = temporaries.load(); file != nullptr; file = file->next)
+        if (file->there) ::unlink(file->path.c_str());
 }
 
 void makeFolder(const fs::path& path) {
@@ -249,6 +261,7 @@ void makeFolder(const fs::path& path) {
     const std::string text = fmt::format("cannot make the folder '{}': ", path.string());
     if (!error) throw InputError(text + "a file is in the way; name another folder");
     if (isUsersMistake(error.value()) || error.value() == EEXIST) throw InputError(text + error.message() + "; name another folder");
+    if (isNoRoom(error.value())) throw RoomError(text + error.message() + kMakeRoom);
     throw WorkError(text + error.message());
 }
 

@@ -13,7 +13,7 @@ namespace gno::host {
 class AtomicFile {
 public:
     /// Opens `.NAME.XXXXXXXX.part` in the target's folder. Throws InputError: the folder is missing, a file, or not writable; the target is a
-    /// folder. Throws WorkError: anything else, such as a full disk.
+    /// folder. Throws RoomError: a full disk; WorkError: anything else.
     explicit AtomicFile(const std::filesystem::path& target);
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
@@ -26,22 +26,28 @@ public:
     /// Where to write; can seek. A failed write sets badbit, and commit() tells the reason.
     [[nodiscard]] std::ostream& stream();
 
-    /// Writes what is left, closes and renames. Throws WorkError naming the target and the first error of any write; the temporary is gone then.
+    /// Writes what is left, closes and renames. Throws RoomError (a full disk) or WorkError naming the target and the first error of any write; the
+    /// temporary is gone then.
     void commit();
+
+    struct Temporary;  ///< for removeUnfinishedFiles()
 
 private:
     class Buffer;
+    static Temporary* remember(const std::string& path);
+    void discard();
     [[noreturn]] void fail(int error);
     std::filesystem::path target_, temporary_;
+    Temporary* remembered_ = nullptr;  ///< null where the target is written straight
     std::unique_ptr<Buffer> buffer_;
     std::ostream stream_;
 };
 
-/// Removes the temporaries of all AtomicFiles alive in this process; for a way out that runs no destructors (std::quick_exit, std::terminate).
-/// Takes a lock: not for signal handlers.
+/// Removes the temporaries of all AtomicFiles alive in this process; for a way out that runs no destructors. Async-signal-safe: no lock, no memory.
 void removeUnfinishedFiles() noexcept;
 
-/// Makes `path` and its parents where they are missing. Throws InputError: a file is in the way, or no right to make it; WorkError: else.
+/// Makes `path` and its parents where they are missing. Throws InputError: a file is in the way, or no right to make it; RoomError: a full disk;
+/// WorkError: else.
 void makeFolder(const std::filesystem::path& path);
 
 }  // namespace gno::host

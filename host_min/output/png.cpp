@@ -30,7 +30,7 @@ void writeBytes(const std::filesystem::path& path, uint32_t width, uint32_t heig
     };
     const int stride = static_cast<int>(width) * channels;
     if (stbi_write_png_to_func(append, &file, static_cast<int>(width), static_cast<int>(height), channels, pixels, stride) == 0)
-        throw WorkError(fmt::format("cannot write '{}': not enough memory to compress it", path.string()));
+        throw MemoryError(fmt::format("cannot write '{}': not enough memory to compress it", path.string()));
     file.commit();
 }
 

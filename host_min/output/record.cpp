@@ -12,8 +12,9 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// Milliseconds to whole nanoseconds' worth of digits: what a time stamp can tell.
-double time(double ms) {
+/// Milliseconds to whole nanoseconds' worth of digits: what a time stamp can tell. NaN, where a device has none, is null.
+ordered_json time(double ms) {
+    if (std::isnan(ms)) return nullptr;
     if (!std::isfinite(ms)) throw std::invalid_argument("a record's time is not a finite number");
     return std::round(ms * 1e6) / 1e6;
 }

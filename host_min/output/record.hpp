@@ -24,7 +24,7 @@ struct RecordDevice {
 
 struct RecordPass {
     std::string name;
-    double ms = 0;  ///< device time, median over the repeats
+    double ms = 0;  ///< device time, median over the repeats; NaN: the device has no time stamps
 };
 
 /// From a separate instrumented run. The six of the contract are always written; `more` follows them (vertices, quads, ...).
@@ -62,7 +62,7 @@ struct Record {
     uint64_t samples = 0, inShadow = 0;
     uint64_t unknown = 0;            ///< samples that the technique had no answer for: a structure was not complete
     std::vector<RecordPass> passes;  ///< total_ms is their sum
-    std::optional<double> floorMs;   ///< time of a bare full-screen pass, where it was measured
+    std::optional<double> floorMs;   ///< time of a bare full-screen pass, where it was measured; NaN as above
     NamedNumbers bytes;
     RecordCounters counters;
     uint64_t hostWaits = 0;            ///< within a frame: the host waits for the device and goes on with what it read; their time is in the passes
@@ -70,7 +70,7 @@ struct Record {
     std::optional<RecordCheck> check;  ///< with --check only
     std::vector<std::string> effects;
 
-    /// Sum of the passes whose name satisfies the table's idea of a build (`isBuildPass`), of the others, and of all; ms.
+    /// Sum of the passes whose name satisfies the table's idea of a build (`isBuildPass`), of the others, and of all; ms. NaN when one is.
     [[nodiscard]] double buildMs() const;
     [[nodiscard]] double queryMs() const;
     [[nodiscard]] double totalMs() const;
@@ -79,7 +79,8 @@ struct Record {
 /// True for what prepares a structure: a pass called "build" or "setup", or with "build" or "setup" as a part between underscores; and host_wait.
 [[nodiscard]] bool isBuildPass(const std::string& name);
 
-/// The object of the contract, keys in its order. A time that is not finite throws std::invalid_argument; text that is not UTF-8 is repaired.
+/// The object of the contract, keys in its order. A time that is missing (NaN) is null, one that is infinite throws std::invalid_argument; text that
+/// is not UTF-8 is repaired.
 [[nodiscard]] nlohmann::ordered_json toJson(const Record& record);
 
 /// toJson(record) on one line, no line end.

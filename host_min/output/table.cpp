@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "host_min/scene/one_line.hpp"
@@ -16,7 +17,9 @@ namespace {
 constexpr std::size_t kTextColumns = 2;  // technique and precision; the others are numbers
 constexpr const char *kGreen = "\033[32m", *kRed = "\033[31m", *kYellow = "\033[33m", *kBold = "\033[1m", *kPlain = "\033[0m";
 
-std::string ratio(double a, double b, const char* format) { return b > 0 ? fmt::format(fmt::runtime(format), a / b) : "-"; }
+std::string ratio(double a, double b, const char* format) { return b > 0 && !std::isnan(a) ? fmt::format(fmt::runtime(format), a / b) : "-"; }
+
+std::string milliseconds(double ms) { return std::isnan(ms) ? "-" : fmt::format("{:.2f}", ms); }
 
 bool sameFrame(const Record& a, const Record& b) { return a.scene == b.scene && a.frame == b.frame && a.light == b.light && a.size == b.size; }
 
@@ -47,9 +50,9 @@ std::vector<std::string> rowOf(const Record& record, double fastest, const Extra
                                     ratio(static_cast<double>(counters.visitedNodes), samples, "{:.1f}"),
                                     std::to_string(counters.maxStack),
                                     std::to_string(counters.stackOverflows),
-                                    fmt::format("{:.2f}", record.buildMs()),
-                                    fmt::format("{:.2f}", record.queryMs()),
-                                    fmt::format("{:.2f}", total),
+                                    milliseconds(record.buildMs()),
+                                    milliseconds(record.queryMs()),
+                                    milliseconds(total),
                                     ratio(total, fastest, "{:.2f}"),
                                     ratio(total, record.floorMs.value_or(0), "{:.1f}")};
     if (with.takenForOpaque) row.push_back(std::to_string(record.takenForOpaque));

@@ -11,7 +11,8 @@
 namespace gno::host {
 
 /// One table per scene, frame and light, in the order of the records; numbers right-justified; the last columns only where a record has a check.
-/// "x fastest" is total / the least total of the same table, "x floor" total / floor_ms. `color`: ANSI colours (wrong > 0 red, fastest green).
+/// "x fastest" is total / the least total of the same table, "x floor" total / floor_ms, "-" where a time is missing. `color`: ANSI colours (wrong >
+/// 0 red, fastest green).
 [[nodiscard]] std::string formatTable(std::span<const Record> records, bool color);
 
 /// The cells of formatTable without title and layout: row 0 holds the column names. For one scene, frame and light.

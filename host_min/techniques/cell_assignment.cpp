@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host_min/techniques/cell_assignment.hpp"
 
-#include <fmt/format.h>
-
 #include <bit>
 #include <span>
-
-#include "host_min/error.hpp"
 
 namespace gno::host {
 namespace {
@@ -20,9 +16,14 @@ GnoForestGrid forestGrid(glm::vec4 light, glm::vec3 low, glm::vec3 high, uint32_
     return std::bit_cast<GnoForestGrid>(gno::forestGrid(floats(light), floats(low), floats(high), resolution));
 }
 
-LightCells lightCells(const FrameInputs& inputs, const char* owner, uint32_t resolution, bool viewCull, bool cover) {
-    if (groupsFor(inputs.triangleCount(), kForestGroup) > kMostForestGroups)
-        throw InputError(fmt::format("{} triangles are over the {}'s limit of {}", inputs.triangleCount(), owner, kMostForestGroups * kForestGroup));
+std::string lightCellsOverLimit(const DeviceFacts& device, const FrameLoad& load) {
+    const std::string rows = overCasters(load.triangles, uint64_t(kMostForestGroups) * kForestGroup, "64 in each of 65535 work groups");
+    if (!rows.empty()) return rows;
+    return overCasters(load.triangles, device.maxStorageBufferRange / 64, "64 bytes each in one array, the device's maxStorageBufferRange");
+}
+
+LightCells lightCells(const FrameInputs& inputs, uint32_t resolution, bool viewCull, bool cover) {
+    throwLimit(lightCellsOverLimit(inputs.device().facts(), FrameLoad::of(inputs)));
     return {.casters = inputs.triangleCount(),
             .width = inputs.width(),
             .height = inputs.height(),

@@ -10,35 +10,32 @@
 #include "host_min/techniques/cluster_frame.hpp"
 
 namespace gno::host {
-namespace {
 
-void checkSizes(const FrameInputs& inputs, const ClusterLayout& layout, const ClusterOptions& options) {
-    const uint64_t limit = inputs.device().facts().maxStorageBufferRange;
+std::string clusterOverLimit(const DeviceFacts& device, const FrameLoad& load, const ClusterOptions& options) {
+    const uint64_t limit = device.maxStorageBufferRange;
+    const ClusterLayout layout = clusterLayout(load.width, load.height, options.form);
     const uint64_t bounds = clusterBoxes(layout, options) * clusterBoxBytes(layout.form);
     const bool compact = layout.form == ClusterForm::compact;
     if (bounds > limit)
-        throw InputError(fmt::format(
+        return fmt::format(
             "--set bounds={}: at {}x{} an array of bounds takes {} bytes, over the device's maxStorageBufferRange of {}: use --set bounds=compact{}",
-            compact ? "compact" : "explicit", inputs.width(), inputs.height(), bounds, limit, compact ? " with a smaller boxes" : ""));
-    if (112 * uint64_t(inputs.triangleCount()) > limit)
-        throw InputError(fmt::format("{} triangles: the shadow volumes of more than {} pass the device's maxStorageBufferRange of {}",
-                                     inputs.triangleCount(), limit / 112, limit));
-    const uint64_t sums = options.layers ? 16 * uint64_t(inputs.width()) * inputs.height() : 0;
+            compact ? "compact" : "explicit", load.width, load.height, bounds, limit, compact ? " with a smaller boxes" : "");
+    const uint64_t sums = options.layers ? 16 * uint64_t(load.width) * load.height : 0;
     if (sums > limit)
-        throw InputError(
-            fmt::format("{}x{}: what casters let through takes {} bytes, over the device's maxStorageBufferRange of {}: use a smaller --size, or "
-                        "--set materials=off",
-                        inputs.width(), inputs.height(), sums, limit));
-    if (groupsFor(inputs.triangleCount(), 64) > kMostGroups)
-        throw InputError(fmt::format("{} triangles are over the limit of {}", inputs.triangleCount(), 64 * kMostGroups));
+        return fmt::format(
+            "{}x{}: what casters let through takes {} bytes, over the device's maxStorageBufferRange of {}: use a smaller --size, or "
+            "--set materials=off",
+            load.width, load.height, sums, limit);
+    const uint64_t most = clusterMostCasters(limit);
+    return overCasters(load.triangles, most,
+                       most == limit / 112 ? fmt::format("112 bytes each in one array, the device's maxStorageBufferRange of {}", limit)
+                                           : std::string("64 in each of 65535 work groups"));
 }
-
-}  // namespace
 
 void ClusterHierarchy::prepare(const FrameInputs& inputs) {
     inputs_ = &inputs;
+    throwLimit(clusterOverLimit(inputs.device().facts(), FrameLoad::of(inputs), options_));
     layout_ = clusterLayout(inputs.width(), inputs.height(), options_.form);
-    checkSizes(inputs, layout_, options_);
     arrays_.fit(inputs.device(), clusterArrays(inputs.width(), inputs.height(), inputs.triangleCount(), options_));
     const bool frontCulled = (inputs.push().cull & uint32_t(Cull::front)) != 0;
     const ClusterUniform uniform =

@@ -19,12 +19,15 @@ struct ClusterCounters {
     std::vector<uint32_t> testsOfPixel;              ///< samples tested, per pixel
 };
 
+/// Which limit of the device a frame would pass, and what to do; empty: none.
+std::string clusterOverLimit(const DeviceFacts& device, const FrameLoad& load, const ClusterOptions& options);
+
 class ClusterHierarchy final : public Structure {
 public:
     /// With layers, the inputs have materials.
     explicit ClusterHierarchy(const ClusterOptions& options) : options_(options) {}
 
-    /// Throws InputError when an array of this form would pass the device's limits; the text names a form that fits.
+    /// Throws LimitError when an array of this form would pass the device's limits; the text names a form that fits.
     void prepare(const FrameInputs& inputs) override;
     void record(Recording& recording, uint32_t segment) const override;
     /// Ends with the plain passes, whose answer is the one that is asked.

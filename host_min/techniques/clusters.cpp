@@ -65,13 +65,17 @@ public:
     const TechniqueInfo& info() const override { return info_; }
 
     std::string structureKey(const FrameInputs& inputs, const Settings& settings, const RunOptions& options) const override {
-        const ClusterOptions o = optionsOf(inputs, settings, options);
+        const ClusterOptions o = optionsOf(inputs.hasMaterials(), settings, options);
         return fmt::format("clusters {} {} {} {} {} {} {}", uint32_t(o.form), o.split, o.extraPlanes, o.groups, o.jobCapacity, o.boxCapacity,
                            o.layers);
     }
 
     std::unique_ptr<Structure> makeStructure(const FrameInputs& inputs, const Settings& settings, const RunOptions& options) const override {
-        return std::make_unique<ClusterHierarchy>(optionsOf(inputs, settings, options));
+        return std::make_unique<ClusterHierarchy>(optionsOf(inputs.hasMaterials(), settings, options));
+    }
+
+    std::string overLimit(const DeviceFacts& device, const FrameLoad& load, const Settings& settings) const override {
+        return clusterOverLimit(device, load, optionsOf(load.materials, settings, {}));
     }
 
     Query query(const Structure& structure, const FrameInputs& inputs, const Settings&, const RunOptions&) const override {
@@ -88,7 +92,7 @@ public:
     }
 
 private:
-    ClusterOptions optionsOf(const FrameInputs& inputs, const Settings& settings, const RunOptions& options) const {
+    ClusterOptions optionsOf(bool materials, const Settings& settings, const RunOptions& options) const {
         ClusterOptions choice;
         choice.precision = uint32_t(options.precision);
         choice.form = flat_ ? ClusterForm::flat : formByName(settings.word("bounds"));
@@ -97,7 +101,7 @@ private:
         choice.jobCapacity = settings.number("jobs");
         choice.extraPlanes = settings.word("planes") == "extra";
         choice.groups = settings.number("groups");
-        choice.layers = inputs.hasMaterials() && settings.word("materials") == "on";
+        choice.layers = materials && settings.word("materials") == "on";
         return choice;
     }
 

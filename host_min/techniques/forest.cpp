@@ -59,6 +59,10 @@ public:
         return std::make_unique<ForestTrees>(forest);
     }
 
+    std::string overLimit(const DeviceFacts& device, const FrameLoad& load, const Settings&) const override {
+        return lightCellsOverLimit(device, load);
+    }
+
     Query query(const Structure& structure, const FrameInputs& inputs, const Settings& settings, const RunOptions&) const override {
         const auto& trees = dynamic_cast<const ForestTrees&>(structure);
         const std::string word = settings.word("query");

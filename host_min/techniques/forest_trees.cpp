@@ -37,7 +37,7 @@ uint64_t ForestTrees::poolBefore() const {
 }
 
 void ForestTrees::prepareBuild(uint32_t resolution, uint64_t pool) {
-    cells_ = lightCells(*inputs_, "forest", resolution, settings_.viewCull, settings_.cover);
+    cells_ = lightCells(*inputs_, resolution, settings_.viewCull, settings_.cover);
     arrays_.fit(inputs_->device(), forestArrays(cells_, pool, settings_.options));
     writeGrid(arrays_["gnoForestGrid"], *inputs_, cells_);
     passes_ = PassRunner(inputs_->passes(), forestBuildPasses(cells_, settings_.options), inputs_->withCasters(arrays_.bindings()));
@@ -46,7 +46,7 @@ void ForestTrees::prepareBuild(uint32_t resolution, uint64_t pool) {
 void ForestTrees::prepareCandidates() {
     const Device& device = inputs_->device();
     candidates_.clear();
-    cells_ = lightCells(*inputs_, "forest", kForestResolutions.back(), settings_.viewCull, settings_.cover);
+    cells_ = lightCells(*inputs_, kForestResolutions.back(), settings_.viewCull, settings_.cover);
     candidateCells_.emplace(device, arrayNamed(lightCellArrays(cells_, 2), "gnoForestCells").bytes);
     candidatePairs_.emplace(device, 2 * sizeof(GnoForestPair));  // bound, and nothing is put there
     cells_.resolution = kForestResolutions.front();
@@ -104,7 +104,7 @@ void ForestTrees::count() {
 bool ForestTrees::read() {
     found_ = header();
     if (found_.pairs > mostPairs())
-        throw InputError(fmt::format("the forest needs {} pairs of cell and caster, over the limit of {}: use a smaller --set cells than {}",
+        throw LimitError(fmt::format("the forest needs {} pairs of cell and caster, over the limit of {}: use a smaller --set cells than {}",
                                      found_.pairs, mostPairs(), resolution()));
     if (settings_.pool > 0 && settings_.pool < found_.pairs)
         throw InputError(

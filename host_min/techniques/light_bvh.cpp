@@ -31,6 +31,10 @@ public:
         return std::make_unique<LightBvhTree>(LightBvhOptions{settings.number("pool")});
     }
 
+    std::string overLimit(const DeviceFacts& device, const FrameLoad& load, const Settings&) const override {
+        return lightBvhOverLimit(device, load);
+    }
+
     Query query(const Structure& structure, const FrameInputs& inputs, const Settings& settings, const RunOptions& options) const override {
         const LightBvhQueryOptions asked{.precision = uint32_t(options.precision),
                                          .stackless = settings.word("query") == "stackless",

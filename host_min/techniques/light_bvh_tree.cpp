@@ -11,10 +11,13 @@
 
 namespace gno::host {
 
+std::string lightBvhOverLimit(const DeviceFacts&, const FrameLoad& load) {
+    return overCasters(load.triangles, uint64_t(kMostGroups) * GNO_LIGHT_BVH_GROUP,
+                       fmt::format("{} in each of {} work groups", GNO_LIGHT_BVH_GROUP, kMostGroups));
+}
+
 void LightBvhTree::prepare(const FrameInputs& inputs) {
-    if (groupsFor(inputs.triangleCount(), GNO_LIGHT_BVH_GROUP) > kMostGroups)
-        throw InputError(
-            fmt::format("{} triangles are over the light-space hierarchy's limit of {}", inputs.triangleCount(), kMostGroups * GNO_LIGHT_BVH_GROUP));
+    throwLimit(lightBvhOverLimit(inputs.device().facts(), FrameLoad::of(inputs)));
     inputs_ = &inputs;
     const uint64_t most = lightBvhMostReferences(inputs.device().facts().maxStorageBufferRange);
     const uint64_t first = std::max(lightBvhFirstPool(inputs.casterCount(), inputs.light().w == 0), wanted_);
@@ -33,7 +36,8 @@ bool LightBvhTree::read() {
     if (references_ > pool_) {
         const uint64_t most = lightBvhMostReferences(inputs_->device().facts().maxStorageBufferRange);
         if (references_ > most)
-            throw InputError(fmt::format("the light-space hierarchy needs {} references, over the limit of {}", references_, most));
+            throw LimitError(
+                fmt::format("the light-space hierarchy needs {} references, over the limit of {}: use another technique", references_, most));
         if (options_.pool > 0)
             throw InputError(
                 fmt::format("--set pool={}: the light-space hierarchy needs {} references: use a larger pool, or 0", options_.pool, references_));

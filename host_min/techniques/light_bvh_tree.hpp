@@ -16,6 +16,9 @@ struct LightBvhOptions {
     uint32_t pool = 0;  ///< references; 0: chosen from the casters, and enlarged when it was too small
 };
 
+/// Which limit of the device a frame would pass, and what to do; empty: none that is known before.
+std::string lightBvhOverLimit(const DeviceFacts& device, const FrameLoad& load);
+
 class LightBvhTree final : public Structure {
 public:
     explicit LightBvhTree(const LightBvhOptions& options) : options_(options) {}

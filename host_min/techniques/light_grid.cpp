@@ -52,6 +52,10 @@ public:
                               .pool = settings.number("pool")});
     }
 
+    std::string overLimit(const DeviceFacts& device, const FrameLoad& load, const Settings&) const override {
+        return lightCellsOverLimit(device, load);
+    }
+
     Query query(const Structure& structure, const FrameInputs& inputs, const Settings& settings, const RunOptions& options) const override {
         const auto& lists = dynamic_cast<const LightGridLists&>(structure);
         return {lightGridQueryPasses(inputs.width(), inputs.height(), uint32_t(options.precision), lists.options(),

@@ -14,7 +14,7 @@ namespace {
 /// `what` is in the pool of `given` entries (0: of any size).
 void checkPool(const char* what, uint32_t needed, uint32_t given, uint64_t most, uint32_t resolution) {
     if (needed > most)
-        throw InputError(
+        throw LimitError(
             fmt::format("the light grid needs {} {}, over the limit of {}: use a smaller --set cells than {}", needed, what, most, resolution));
     if (given > 0 && given < needed)
         throw InputError(fmt::format("--set pool={}: the light grid needs {} {}: use a larger pool, or 0", given, needed, what));
@@ -25,7 +25,7 @@ void checkPool(const char* what, uint32_t needed, uint32_t given, uint64_t most,
 void LightGridLists::prepare(const FrameInputs& inputs) {
     inputs_ = &inputs;
     const uint64_t range = inputs.device().facts().maxStorageBufferRange;
-    cells_ = lightCells(inputs, "light grid", settings_.resolution, settings_.viewCull, settings_.cover);
+    cells_ = lightCells(inputs, settings_.resolution, settings_.viewCull, settings_.cover);
     const auto enlarge = [&](uint64_t& pool, uint64_t first, uint64_t learned) {
         const uint64_t wanted = settings_.pool > 0 ? forestPool(settings_.pool) : std::min(learned > 0 ? forestPoolFor(learned) : first, most());
         pool = std::max(pool, wanted);

@@ -45,6 +45,10 @@ public:
         return std::make_unique<ShadowMapLayers>(options, settings.word("fit") == "focused");
     }
 
+    std::string overLimit(const DeviceFacts& device, const FrameLoad&, const Settings& settings) const override {
+        return shadowMapOverLimit(device, settings.number("map"));
+    }
+
     Query query(const Structure& structure, const FrameInputs& inputs, const Settings& settings, const RunOptions&) const override {
         return {shadowMapQueryPasses(inputs.width(), inputs.height(), settings.word("stage") == "fragment"),
                 dynamic_cast<const ShadowMapLayers&>(structure).bindings(), false};

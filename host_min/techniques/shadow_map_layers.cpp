@@ -21,9 +21,13 @@ void upload(Buffer& buffer, std::span<const ShadowFrustum> frusta, uint32_t size
 
 }  // namespace
 
+std::string shadowMapOverLimit(const DeviceFacts& device, uint32_t size) {
+    const uint32_t limit = device.maxImageDimension2D;
+    return size > limit ? fmt::format("--set map={}: over the device's maxImageDimension2D ({}): use a smaller map", size, limit) : std::string();
+}
+
 void ShadowMapLayers::prepare(const FrameInputs& inputs) {
-    const uint32_t limit = inputs.device().facts().maxImageDimension2D;
-    if (options_.size > limit) throw InputError(fmt::format("--set map={}: over the device's maxImageDimension2D ({})", options_.size, limit));
+    throwLimit(shadowMapOverLimit(inputs.device().facts(), options_.size));
     inputs_ = &inputs;
     whole_ = shadowFrusta(inputs.frame(), inputs.light());
     arrays_.fit(inputs.device(), shadowMapArrays(whole_.size()));
@@ -47,8 +51,10 @@ void ShadowMapLayers::fitMap(uint32_t side, uint32_t layers) {
     map_.reset();  // before the new one: there may not be room for both
     try {
         map_.emplace(Image::array(inputs_->device(), side, side, vk::Format::eD32Sfloat, layers));
-    } catch (const WorkError& error) {
-        throw InputError(fmt::format("--set map={}: {} views do not fit: {}", side, layers, error.what()));
+    } catch (const LimitError& error) {
+        throw LimitError(fmt::format("--set map={}: {} views do not fit: {}", side, layers, error.what()));
+    } catch (const MemoryError& error) {
+        throw MemoryError(fmt::format("--set map={}: {} views do not fit: {}", side, layers, error.what()));
     }
     Recording recording(inputs_->device());
     recording.toGeneral(*map_);

@@ -14,6 +14,9 @@
 
 namespace gno::host {
 
+/// Why the device has no map of `size` texels along a side, and what to do; empty: it has.
+std::string shadowMapOverLimit(const DeviceFacts& device, uint32_t size);
+
 class ShadowMapLayers final : public Structure {
 public:
     /// focused: a view covers just the view samples, otherwise all that the light sees.

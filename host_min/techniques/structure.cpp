@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "host_min/techniques/structure.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 
 #include "host_min/error.hpp"
@@ -29,13 +32,25 @@ std::vector<PassTime> once(Structure& structure, const Device& device) {
         if (segment + 1 < structure.segments()) structure.between(segment);
     }
     if (structure.segments() > 1) {
+        // NaN where the device has no time stamps: then nobody knows which part of it was the host's.
         const double all = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-        times.push_back({"host_wait", std::max(0.0, all - onDevice)});
+        times.push_back({"host_wait", std::isnan(onDevice) ? onDevice : std::max(0.0, all - onDevice)});
     }
     return times;
 }
 
 }  // namespace
+
+FrameLoad FrameLoad::of(const FrameInputs& inputs) { return {inputs.triangleCount(), inputs.width(), inputs.height(), inputs.hasMaterials()}; }
+
+std::string overCasters(uint64_t triangles, uint64_t most, const std::string& why) {
+    if (triangles <= most) return {};
+    return fmt::format("{} triangles, and it holds {} ({}): use a scene with fewer, or another technique", triangles, most, why);
+}
+
+void throwLimit(const std::string& text) {
+    if (!text.empty()) throw LimitError(text);
+}
 
 void Structure::between(uint32_t) { throw std::logic_error("a structure of several segments must say what the host does between them"); }
 

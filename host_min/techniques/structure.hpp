@@ -12,6 +12,20 @@
 
 namespace gno::host {
 
+/// What a frame asks of any structure, known before any work on it.
+struct FrameLoad {
+    uint64_t triangles = 0;
+    uint32_t width = 1, height = 1;
+    bool materials = false;  ///< some casters are alpha-tested or coloured
+    static FrameLoad of(const FrameInputs& inputs);
+};
+
+/// "N triangles, and it holds MOST: WHY": what structures say when they are too many; empty when they are not.
+std::string overCasters(uint64_t triangles, uint64_t most, const std::string& why);
+
+/// Throws LimitError with this text unless it is empty.
+void throwLimit(const std::string& text);
+
 /// How often to run, and what for.
 struct BuildOptions {
     uint32_t repeat = 1;
@@ -73,8 +87,13 @@ public:
     template <class T, class Make>
     T& get(const std::string& key, const FrameInputs& inputs, const BuildOptions& options, const Make& make) {
         Entry& entry = entries_[key];
-        if (!entry.structure) entry.structure = make();
-        if (!entry.built) build(*entry.structure, inputs, options);
+        try {
+            if (!entry.structure) entry.structure = make();
+            if (!entry.built) build(*entry.structure, inputs, options);
+        } catch (...) {
+            entries_.erase(key);  // what it holds may be what others lack
+            throw;
+        }
         entry.built = true;
         return dynamic_cast<T&>(*entry.structure);
     }

@@ -8,6 +8,8 @@
 
 namespace gno::host {
 
+std::string Technique::overLimit(const DeviceFacts&, const FrameLoad&, const Settings&) const { return {}; }
+
 TechniqueResult Technique::run(const FrameInputs& inputs, StructureCache& structures, const Settings& settings, const RunOptions& options) const {
     const std::string missing = missingFor(info(), inputs.device().facts());
     if (!missing.empty()) throw InputError(fmt::format("technique {}: the device lacks {}", info().name, missing));

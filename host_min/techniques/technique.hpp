@@ -77,6 +77,9 @@ public:
     virtual ~Technique() = default;
     [[nodiscard]] virtual const TechniqueInfo& info() const = 0;
 
+    /// Which limit of the device a frame would pass, and what to do, in one line; empty: none that is known before the work.
+    [[nodiscard]] virtual std::string overLimit(const DeviceFacts& device, const FrameLoad& load, const Settings& settings) const;
+
     /// Names all that the structure depends on but the frame's inputs: techniques with the same key share it.
     [[nodiscard]] virtual std::string structureKey(const FrameInputs& inputs, const Settings& settings, const RunOptions& options) const = 0;
     /// One that is neither prepared nor built.
@@ -90,7 +93,7 @@ public:
                       TechniqueResult& result) const = 0;
 
     /// One frame and light: the structure from `structures` (built, unless another technique has done so for this frame), then the query. Throws
-    /// InputError when the device lacks something or a limit would be passed.
+    /// InputError when the device lacks something; LimitError: a limit would be passed.
     [[nodiscard]] TechniqueResult run(const FrameInputs& inputs, StructureCache& structures, const Settings& settings,
                                       const RunOptions& options) const;
 };

@@ -57,6 +57,10 @@ public:
         return std::make_unique<TopTree>(TopOptions{uint32_t(options.precision), settings.number("seed"), settings.number("group")});
     }
 
+    std::string overLimit(const DeviceFacts& device, const FrameLoad& load, const Settings& settings) const override {
+        return topOverLimit(device, load, {.groupSize = settings.number("group")});
+    }
+
     Query query(const Structure& structure, const FrameInputs& inputs, const Settings& settings, const RunOptions& options) const override {
         return {topQueryPasses(inputs.width(), inputs.height(), queryOptions(settings, options)),
                 dynamic_cast<const TopTree&>(structure).bindings()};

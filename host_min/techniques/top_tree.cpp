@@ -7,22 +7,19 @@
 #include "host_min/techniques/build_totals.hpp"
 
 namespace gno::host {
-namespace {
 
-void checkGroups(const DeviceFacts& device, uint32_t triangles, uint32_t groupSize) {
-    if (groupSize > device.maxComputeWorkGroupInvocations)
-        throw InputError(
-            fmt::format("--set group={}: the device's maxComputeWorkGroupInvocations is {}", groupSize, device.maxComputeWorkGroupInvocations));
-    const uint32_t groups = groupsFor(triangles, groupSize);
-    if (groups > kMostGroups)
-        throw InputError(fmt::format("--set group={}: {} triangles would need {} work groups, over the limit of {}; use at least {}", groupSize,
-                                     triangles, groups, kMostGroups, (triangles + kMostGroups - 1) / kMostGroups));
+std::string topOverLimit(const DeviceFacts& device, const FrameLoad& load, const TopOptions& options) {
+    const uint32_t size = options.groupSize;
+    if (size > device.maxComputeWorkGroupInvocations)
+        return fmt::format("--set group={}: the device's maxComputeWorkGroupInvocations is {}", size, device.maxComputeWorkGroupInvocations);
+    if (load.triangles > uint64_t(size) * kMostGroups)
+        return fmt::format("--set group={}: {} triangles would need {} work groups, over the limit of {}; use at least {}", size, load.triangles,
+                           groupsFor(load.triangles, size), kMostGroups, (load.triangles + kMostGroups - 1) / kMostGroups);
+    return overCasters(load.triangles, device.maxStorageBufferRange / 64, "64 bytes each in one array, the device's maxStorageBufferRange");
 }
 
-}  // namespace
-
 void TopTree::prepare(const FrameInputs& inputs) {
-    checkGroups(inputs.device().facts(), inputs.triangleCount(), options_.groupSize);
+    throwLimit(topOverLimit(inputs.device().facts(), FrameLoad::of(inputs), options_));
     inputs_ = &inputs;
     arrays_.fit(inputs.device(), topArrays(inputs.triangleCount()));
     passes_ = PassRunner(inputs.passes(), topBuildPasses(inputs.triangleCount(), options_), inputs.withCasters(arrays_.bindings()));

@@ -15,6 +15,9 @@ struct TopBuildCounters {
     uint64_t steps = 0, intersections = 0, dropped = 0, inserted = 0;
 };
 
+/// Which limit of the device a frame would pass, and what to do; empty: none.
+std::string topOverLimit(const DeviceFacts& device, const FrameLoad& load, const TopOptions& options);
+
 class TopTree final : public Structure {
 public:
     explicit TopTree(const TopOptions& options) : options_(options) {}

@@ -30,7 +30,7 @@ vk::raii::DeviceMemory allocate(const Device& device, const vk::MemoryRequiremen
 Buffer::Buffer(const Device& device, uint64_t bytes, vk::BufferUsageFlags usage)
     : device_(&device), bytes_((std::max<uint64_t>(bytes, 1) + 15) / 16 * 16) {
     if ((usage & vk::BufferUsageFlagBits::eStorageBuffer) && bytes_ > device.facts().maxStorageBufferRange)
-        throw InputError(fmt::format("a buffer of {} bytes is over the device's maxStorageBufferRange ({}): use a smaller scene or --size", bytes_,
+        throw LimitError(fmt::format("a buffer of {} bytes is over the device's maxStorageBufferRange ({}): use a smaller scene or --size", bytes_,
                                      device.facts().maxStorageBufferRange));
     usage |= vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst;
     buffer_ = vk::raii::Buffer(device.handle(), vk::BufferCreateInfo({}, bytes_, usage));

@@ -11,7 +11,8 @@ namespace gno::host {
 
 class Buffer {
 public:
-    /// `bytes` is rounded up to 16, so that an empty array still has a buffer. Throws WorkError when storage would pass maxStorageBufferRange.
+    /// `bytes` is rounded up to 16, so that an empty array still has a buffer. Throws LimitError when storage would pass
+    /// maxStorageBufferRange, MemoryError when the device has no more.
     Buffer(const Device& device, uint64_t bytes, vk::BufferUsageFlags usage = vk::BufferUsageFlagBits::eStorageBuffer);
 
     [[nodiscard]] vk::Buffer handle() const { return *buffer_; }

@@ -81,13 +81,17 @@ vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validatio
     }
 }
 
+/// The first that can draw and compute; one with time stamps where there is one.
 std::optional<uint32_t> findQueueFamily(const vk::raii::PhysicalDevice& device) {
     const auto families = device.getQueueFamilyProperties();
+    const auto needed = vk::QueueFlagBits::eGraphics | vk::QueueFlagBits::eCompute;
+    std::optional<uint32_t> found;
     for (uint32_t i = 0; i < families.size(); ++i) {
-        const auto needed = vk::QueueFlagBits::eGraphics | vk::QueueFlagBits::eCompute;
-        if ((families[i].queueFlags & needed) == needed) return i;
+        if ((families[i].queueFlags & needed) != needed) continue;
+        if (families[i].timestampValidBits > 0) return i;
+        if (!found) found = i;
     }
-    return std::nullopt;
+    return found;
 }
 
 bool hasRayQuery(const vk::raii::PhysicalDevice& device) {
@@ -114,8 +118,9 @@ DeviceFacts factsOf(const vk::raii::PhysicalDevice& device) {
     facts.isLavapipe = driver.driverID == vk::DriverId::eMesaLlvmpipe;
     facts.apiVersionMajor = VK_API_VERSION_MAJOR(base.apiVersion);
     facts.apiVersionMinor = VK_API_VERSION_MINOR(base.apiVersion);
-    facts.hasGraphicsAndComputeQueue = findQueueFamily(device).has_value();
-    facts.timestampComputeAndGraphics = base.limits.timestampComputeAndGraphics;
+    const std::optional<uint32_t> family = findQueueFamily(device);
+    facts.hasGraphicsAndComputeQueue = family.has_value();
+    facts.timestampValidBits = family ? device.getQueueFamilyProperties()[*family].timestampValidBits : 0;
     facts.maxStorageBufferRange = base.limits.maxStorageBufferRange;
     facts.maxImageDimension2D = base.limits.maxImageDimension2D;
     facts.maxBoundDescriptorSets = base.limits.maxBoundDescriptorSets;

@@ -46,15 +46,15 @@ Image::Image(const Device& device, uint32_t width, uint32_t height, vk::Format f
         device.physical().getImageFormatProperties(format, vk::ImageType::e2D, vk::ImageTiling::eOptimal, usage);
     const uint64_t bytes = uint64_t(width) * height * layers * texelBytes_;
     if (layers > limits.maxArrayLayers || bytes > limits.maxResourceSize)
-        throw WorkError(fmt::format("an image of {} bytes in {} layers is over the device's maxResourceSize ({}) or maxArrayLayers ({})", bytes,
-                                    layers, limits.maxResourceSize, limits.maxArrayLayers));
+        throw LimitError(fmt::format("an image of {} bytes in {} layers is over the device's maxResourceSize ({}) or maxArrayLayers ({})", bytes,
+                                     layers, limits.maxResourceSize, limits.maxArrayLayers));
     image_ = vk::raii::Image(device.handle(), vk::ImageCreateInfo({}, vk::ImageType::e2D, format, vk::Extent3D(width, height, 1), 1, layers,
                                                                   vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal, usage));
     const vk::MemoryRequirements needs = image_.getMemoryRequirements();
     try {
         memory_ = vk::raii::DeviceMemory(
             device.handle(), vk::MemoryAllocateInfo(needs.size, device.memoryType(needs.memoryTypeBits, vk::MemoryPropertyFlagBits::eDeviceLocal)));
-    } catch (const vk::SystemError&) {
+    } catch (const vk::OutOfDeviceMemoryError&) {
         throw MemoryError(fmt::format("no device memory left for an image of {} bytes: use a smaller --size", needs.size));
     }
     image_.bindMemory(*memory_, 0);

@@ -13,7 +13,7 @@ class Image;
 
 struct PassTime {
     std::string name;
-    double ms;  ///< device time
+    double ms;  ///< device time; NaN where the device has no time stamps
 };
 
 class Recording {
@@ -32,7 +32,7 @@ public:
     void beginPass(std::string name);    ///< barrier and first time stamp
     void endPass();
 
-    /// Runs the commands, waits, and tells the time of each pass. Once. Throws WorkError when the device is lost.
+    /// Runs the commands, waits, and tells the time of each pass. Once. Throws DeviceLost, MemoryError or WorkError: the device gave up.
     std::vector<PassTime> submit();
 
 private:
@@ -41,6 +41,8 @@ private:
     vk::raii::CommandBuffer commands_{nullptr};
     std::vector<vk::raii::DescriptorPool> descriptorPools_;
     vk::raii::QueryPool queries_{nullptr};
+    std::vector<PassTime> times();
+
     std::vector<std::string> passes_;
 };
 

@@ -46,7 +46,6 @@ std::vector<std::string> missingRequirements(const DeviceFacts& f) {
     need(f.dynamicRendering, "dynamicRendering");
     need(f.synchronization2, "synchronization2");
     need(f.hasGraphicsAndComputeQueue, "a queue with VK_QUEUE_GRAPHICS_BIT and VK_QUEUE_COMPUTE_BIT");
-    need(f.timestampComputeAndGraphics, "timestampComputeAndGraphics");
     need(f.maxStorageBufferRange >= (1u << 27), fmt::format("maxStorageBufferRange 134217728 (it has {})", f.maxStorageBufferRange));
     need(f.maxBoundDescriptorSets >= 4, "maxBoundDescriptorSets 4");
     need(f.maxPushConstantsSize >= 128, "maxPushConstantsSize 128");
@@ -57,6 +56,14 @@ std::vector<std::string> missingRequirements(const DeviceFacts& f) {
                         "from bookworm-backports, as host_min/setup.sh does)",
                         f.driverInfo.empty() ? "this one" : f.driverInfo, kOldestMesa.first, kOldestMesa.second));
     return missing;
+}
+
+void requireTimestamps(const DeviceFacts& device) {
+    if (device.timestampValidBits == 0)
+        throw InputError(
+            fmt::format("{} has no time stamps (timestampValidBits 0), so there is nothing to measure with: use another device, see "
+                        "GNOMON_DEVICE",
+                        device.deviceName));
 }
 
 size_t chooseDevice(std::span<const DeviceFacts> devices, std::string_view wanted) {

@@ -20,7 +20,7 @@ struct DeviceFacts {
     uint32_t apiVersionMajor = 1, apiVersionMinor = 3;
     bool dynamicRendering = true, synchronization2 = true;
     bool hasGraphicsAndComputeQueue = true;
-    bool timestampComputeAndGraphics = true;
+    uint32_t timestampValidBits = 64;  ///< of that queue's family; 0: there are no times, which is told and no refusal
     uint64_t maxStorageBufferRange = 1u << 27;
     uint32_t maxImageDimension2D = 16384;
     uint32_t maxBoundDescriptorSets = 4;
@@ -35,6 +35,9 @@ struct DeviceFacts {
 
 /// What is missing, one entry each, by Vulkan's field name; empty: the device qualifies.
 std::vector<std::string> missingRequirements(const DeviceFacts& facts);
+
+/// For programs whose only results are times. Throws InputError when there are none.
+void requireTimestamps(const DeviceFacts& device);
 
 /// Index of the device to use. `wanted` (GNOMON_DEVICE): empty = the first that qualifies, a number = that one, else the first whose name
 /// contains it (case-insensitive). Throws InputError, one line: no device at all, none of that name, or what each one lacks.

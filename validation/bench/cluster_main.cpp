@@ -41,6 +41,7 @@ int run(int argc, char** argv) {
     job.cull = host::cullByName(cull);
 
     const host::Device device(host::DeviceOptions::fromEnvironment());
+    host::requireTimestamps(device.facts());
     host::checkSize(device.facts(), job.width, job.height);
     host::PassCache passes(device);
     fmt::print("{}; {}, light {}, cull {}, precision {}\n\n", bench::describe(device), table == "sizes" ? "three sizes" : size, job.light, cull,

@@ -36,6 +36,7 @@ int run(int argc, char** argv) {
 
     const bool bothLights = table == "ladder" || table == "routing" || table == "own";
     const host::Device device(host::DeviceOptions::fromEnvironment());
+    host::requireTimestamps(device.facts());
     host::checkSize(device.facts(), base.width, base.height);
     host::PassCache passes(device);
     fmt::print("{}; {}x{}, frame {}, {}, cull {}, precision {}, seeds 1..{} (mean ± standard deviation)\n\n", bench::describe(device), base.width,

@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
     job.base.cull = host::cullByName(cull);
 
     const host::Device device(host::DeviceOptions::fromEnvironment());
+    host::requireTimestamps(device.facts());
     for (const auto& [width, height] : job.sizes) host::checkSize(device.facts(), width, height);
     host::PassCache passes(device);
     fmt::print("{}; frame {}, light {}, cull {}, precision {}, seeds 1..{} (mean ± standard deviation), {} rounds each; ratios are to `{}`\n",

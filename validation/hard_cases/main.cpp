@@ -80,6 +80,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    gno::host::catchInterrupts();
+    gno::host::catchInterrupts("gnomon-hard-cases", gno::host::removeUnfinishedFiles);
     return gno::host::guarded("gnomon-hard-cases", "use fewer --seeds", [&] { return run(argc, argv); });
 }

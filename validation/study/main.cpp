@@ -3,6 +3,7 @@
 // line.
 #include "host_min/error.hpp"
 #include "host_min/interrupt.hpp"
+#include "host_min/output/atomic_file.hpp"
 #include "host_min/output/guarded.hpp"
 #include "validation/study/merge.hpp"
 #include "validation/study/plan.hpp"
@@ -35,6 +36,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    gno::host::catchInterrupts();
+    gno::host::catchInterrupts("gnomon-study", gno::host::removeUnfinishedFiles);
     return gno::host::guarded("gnomon-study", "use a smaller --size or scene", [&] { return run(argc, argv); });
 }

@@ -79,6 +79,7 @@ void runSweep(const std::vector<GroupJobs>& groups, SceneShelf& shelf, const std
     if (wanted < all) fmt::print("{}: {} of {} rows are there already\n", path.string(), all - wanted, all);
     std::fflush(stdout);
     const host::Device device(host::DeviceOptions::fromEnvironment());
+    host::requireTimestamps(device.facts());
     host::PassCache passes(device);
     const std::string run = runName();
     Worst worst(results.rows());

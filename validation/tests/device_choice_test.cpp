@@ -96,7 +96,6 @@ const std::vector<Lack> kLacks{
     {"dynamicRendering", [](DeviceFacts& f) { f.dynamicRendering = false; }},
     {"synchronization2", [](DeviceFacts& f) { f.synchronization2 = false; }},
     {"VK_QUEUE_COMPUTE_BIT", [](DeviceFacts& f) { f.hasGraphicsAndComputeQueue = false; }},
-    {"timestampComputeAndGraphics", [](DeviceFacts& f) { f.timestampComputeAndGraphics = false; }},
     {"maxStorageBufferRange", [](DeviceFacts& f) { f.maxStorageBufferRange = (1u << 27) - 1; }},
     {"maxBoundDescriptorSets", [](DeviceFacts& f) { f.maxBoundDescriptorSets = 3; }},
     {"maxPushConstantsSize", [](DeviceFacts& f) { f.maxPushConstantsSize = 127; }},
@@ -115,6 +114,14 @@ TEST(DeviceChoice, EachMissingFeatureIsNamedAndNothingElse) {
         EXPECT_TRUE(says(text, "Old GPU")) << text;
     }
     EXPECT_TRUE(missingRequirements(gpu("Good")).empty());
+}
+
+TEST(DeviceChoice, TimeStampsAreNoCondition) {
+    DeviceFacts facts = gpu("Without");
+    facts.timestampValidBits = 0;
+    EXPECT_EQ(refusal({facts}), "");
+    EXPECT_THROW(requireTimestamps(facts), InputError);
+    EXPECT_NO_THROW(requireTimestamps(gpu("With")));
 }
 
 TEST(DeviceChoice, AllMissingFeaturesAreNamed) {

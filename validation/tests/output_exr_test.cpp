@@ -106,7 +106,7 @@ TEST_F(OutputExr, WrongCallsAndBrokenFilesAreToldApart) {
     std::ofstream(path) << "no picture at all";
     EXPECT_THROW((void)readExr(path), InputError);
     EXPECT_THROW(writeExr(folder_ / "missing" / "frame.exr", kWidth, kHeight, layers()), InputError);
-    EXPECT_THROW(writeExr("/dev/full", kWidth, kHeight, layers()), WorkError);
+    EXPECT_THROW(writeExr("/dev/full", kWidth, kHeight, layers()), RoomError);
 }
 
 TEST_F(OutputExr, PngDecodesToTheSamePixels) {
@@ -133,5 +133,5 @@ TEST_F(OutputExr, PngDecodesToTheSamePixels) {
     ASSERT_EQ(channels, 1);
     for (std::size_t i = 0; i < gray.size(); ++i) ASSERT_EQ(bytes[i], gray.pixels[i]);
     stbi_image_free(bytes);
-    EXPECT_THROW(writePng("/dev/full", Picture(400, 400)), WorkError);
+    EXPECT_THROW(writePng("/dev/full", Picture(400, 400)), RoomError);
 }

@@ -5,13 +5,17 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <thread>
 
 #include "host_min/error.hpp"
+#include "host_min/interrupt.hpp"
 #include "host_min/output/atomic_file.hpp"
 
 using namespace gno::host;
@@ -57,13 +61,13 @@ private:
     void (*handler_)(int);
 };
 
-std::string textOfWorkError(AtomicFile& file) {
+std::string textOfRoomError(AtomicFile& file) {
     try {
         file.commit();
-    } catch (const WorkError& error) {
+    } catch (const RoomError& error) {
         return error.what();
     }
-    return "no WorkError";
+    return "no RoomError";
 }
 
 }  // namespace
@@ -115,7 +119,7 @@ TEST_F(OutputFile, AnExceptionLeavesTheTargetAndNoTemporary) {
     EXPECT_EQ(entries(), 1u);
 }
 
-TEST_F(OutputFile, AFullDiskIsAWorkErrorThatNamesFileAndReason) {
+TEST_F(OutputFile, AFullDiskIsARoomErrorThatNamesFileAndReason) {
     const fs::path target = folder_ / "result.bin";
     write(target, "old");
     {
@@ -124,7 +128,7 @@ TEST_F(OutputFile, AFullDiskIsAWorkErrorThatNamesFileAndReason) {
         const std::string chunk(100'000, 'x');
         file.stream() << chunk;
         EXPECT_TRUE(file.stream().bad());
-        const std::string text = textOfWorkError(file);
+        const std::string text = textOfRoomError(file);
         EXPECT_NE(text.find("result.bin"), std::string::npos) << text;
         EXPECT_NE(text.find("File too large"), std::string::npos) << text;
     }
@@ -137,7 +141,7 @@ TEST_F(OutputFile, AnErrorThatShowsOnlyAtTheEndIsSeenToo) {
     const FileSizeLimit limit(4096);
     file.stream() << std::string(10'000, 'x');  // fits the buffer: nothing is written before commit()
     EXPECT_TRUE(file.stream().good());
-    EXPECT_NE(textOfWorkError(file).find("File too large"), std::string::npos);
+    EXPECT_NE(textOfRoomError(file).find("File too large"), std::string::npos);
     EXPECT_EQ(entries(), 0u);
 }
 
@@ -150,7 +154,7 @@ TEST_F(OutputFile, ADeviceIsWrittenStraight) {
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
     AtomicFile full("/dev/full");
     full.stream() << "does not fit";
-    EXPECT_NE(textOfWorkError(full).find("No space left on device"), std::string::npos);
+    EXPECT_NE(textOfRoomError(full).find("No space left on device"), std::string::npos);
 }
 
 TEST_F(OutputFile, ALinkIsFollowed) {
@@ -205,4 +209,47 @@ TEST_F(OutputFile, TheEmergencyExitRemovesWhatIsUnfinishedOnly) {
     EXPECT_FALSE(fs::exists(open.temporary()));
     EXPECT_EQ(read(folder_ / "done.txt"), "done");
     EXPECT_EQ(entries(), 1u);
+}
+
+// A handler may run in any thread at any time; here it ends the process, and what is left is looked at from outside.
+TEST_F(OutputFile, ASecondSignalEndsTheProcessAndRemovesWhatIsUnfinished) {
+    const auto twice = [&] {
+        catchInterrupts("writer", removeUnfinishedFiles);
+        AtomicFile done(folder_ / "done.txt");
+        done.commit();
+        AtomicFile open(folder_ / "open.txt"), other(folder_ / "other.txt");
+        open.stream() << "half" << std::flush;
+        std::raise(SIGTERM);
+        std::raise(SIGINT);
+        std::abort();
+    };
+    EXPECT_EXIT(twice(), testing::ExitedWithCode(1), "^writer: interrupted; nothing half-written is left\n$");
+    EXPECT_TRUE(fs::exists(folder_ / "done.txt"));
+    EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(OutputFile, WithoutACheckTheProcessEndsAfterTwoSeconds) {
+    const auto stuck = [&] {
+        catchInterrupts("writer", removeUnfinishedFiles);
+        AtomicFile open(folder_ / "open.txt");
+        std::raise(SIGTERM);
+        std::this_thread::sleep_for(std::chrono::seconds(60));
+    };
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EXIT(stuck(), testing::ExitedWithCode(1), "^writer: interrupted");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+    EXPECT_EQ(entries(), 0u);
+}
+
+TEST_F(OutputFile, AfterACheckTheProcessHasAllTheTimeItNeeds) {
+    const auto slow = [&] {
+        catchInterrupts("writer", removeUnfinishedFiles);
+        std::raise(SIGTERM);
+        try {
+            throwIfInterrupted();
+        } catch (const Interrupted&) {
+            std::exit(::alarm(0) == 0 ? 3 : 4);  // 4: the end was still to come
+        }
+    };
+    EXPECT_EXIT(slow(), testing::ExitedWithCode(3), "");
 }

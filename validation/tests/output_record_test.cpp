@@ -105,7 +105,7 @@ TEST(OutputRecord, EmptyPartsStayObjectsAndLists) {
 }
 
 TEST(OutputRecord, OnlyFiniteNumbersAndAnyText) {
-    Record record = sample("psv", 1, std::numeric_limits<double>::quiet_NaN());
+    Record record = sample("psv", 1, std::numeric_limits<double>::infinity());
     EXPECT_THROW((void)toJsonLine(record), std::invalid_argument);
     record = sample("psv", 1, 1);
     record.floorMs = std::numeric_limits<double>::infinity();
@@ -118,6 +118,20 @@ TEST(OutputRecord, OnlyFiniteNumbersAndAnyText) {
     EXPECT_EQ(ordered_json::parse(toJsonLine(record))["scene"], "bad \xEF\xBF\xBD\n\" name");
 }
 
+// As of a device without time stamps.
+TEST(OutputRecord, AMissingTimeIsNullAndADash) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    std::vector<Record> records{sample("psv", kNone, kNone), sample("d-psv", 1, 2)};
+    records[0].floorMs = kNone;
+    const ordered_json json = toJson(records[0]);
+    EXPECT_TRUE(json["total_ms"].is_null());
+    EXPECT_TRUE(json["floor_ms"].is_null());
+    for (const ordered_json& pass : json["passes"]) EXPECT_TRUE(pass["ms"].is_null());
+    const auto cells = tableCells(records);
+    for (const char* column : {"build ms", "query ms", "total ms", "x fastest", "x floor"}) EXPECT_EQ(cell(cells, 1, column), "-") << column;
+    EXPECT_EQ(cell(cells, 2, "x fastest"), "1.00");
+}
+
 TEST(OutputRecord, AFileIsOneObjectALine) {
     const fs::path path = fs::temp_directory_path() / ("gnomon_output_record_" + std::to_string(::getpid()) + ".json");
     const std::vector<Record> records = {sample("psv", 1, 2), sample("d-psv", 1, 1)};
@@ -128,7 +142,7 @@ TEST(OutputRecord, AFileIsOneObjectALine) {
     for (std::string line; std::getline(file, line);) techniques.push_back(ordered_json::parse(line)["technique"]);
     fs::remove(path);
     EXPECT_EQ(techniques, (Names{"psv", "d-psv"}));
-    EXPECT_THROW(writeRecords("/dev/full", records), WorkError);
+    EXPECT_THROW(writeRecords("/dev/full", records), RoomError);
 }
 
 TEST(OutputTable, Ratios) {

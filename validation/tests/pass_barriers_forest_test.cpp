@@ -38,7 +38,7 @@ void expectForest(bool directional, bool viewCull, bool cover, std::span<const t
     SCOPED_TRACE(std::string(directional ? "directional" : "point") + (viewCull ? ", view cull" : "") + (cover ? ", cover" : ""));
     const test::SmallFrame frame(directional);
     const host::FrameInputs& inputs = frame.inputs();
-    const LightCells cells = host::lightCells(inputs, "forest", 16, viewCull, cover);
+    const LightCells cells = host::lightCells(inputs, 16, viewCull, cover);
     host::ArrayBuffers arrays;
     arrays.fit(inputs.device(), forestArrays(cells, forestFirstPool(inputs.casterCount()), {}));
     PassList passes = forestBuildPasses(cells, {});
@@ -55,7 +55,7 @@ void expectLightGrid(bool viewCull, bool cover, uint32_t nest, std::span<const t
     SCOPED_TRACE(std::string(viewCull ? "view cull, " : "") + (cover ? "cover, " : "") + "nest " + std::to_string(nest));
     const test::SmallFrame frame(false);
     const host::FrameInputs& inputs = frame.inputs();
-    const LightCells cells = host::lightCells(inputs, "light grid", 16, viewCull, cover);
+    const LightCells cells = host::lightCells(inputs, 16, viewCull, cover);
     const LightGridPools pools = lightGridFirstPools(inputs.casterCount());
     const LightGridOptions options{.nest = nest};
     host::ArrayBuffers arrays;
