@@ -84,7 +84,7 @@ TEST_P(VizForest, CellsHoldWhatTheDeviceCounted) {
     EXPECT_EQ(tree->GetNumberOfCells(), 50);
     EXPECT_EQ(factIn(*tree, "volumes_in_tree"), data.GetArray("volumes")->GetComponent(fullest, 0));
     EXPECT_LE(factIn(*tree, "kept_by_margins"), 0.02 * factIn(*tree, "volumes_in_tree"));
-    EXPECT_GE(sumOf(*tree->GetCellData(), "least_distance", "m"), 0);
+    EXPECT_TRUE(std::isfinite(sumOf(*tree->GetCellData(), "least_distance", "m")));  // of a directional light they may be negative
     EXPECT_EQ(tree->GetCellData()->GetArray("parent")->GetComponent(0, 0), double(kNone));
     EXPECT_GT(meshIn(look.file("forest", stem + "-parts.vtp"))->GetNumberOfCells(), 0);
     EXPECT_EQ(meshIn(look.file("forest", stem + "-pyramid.vtp"))->GetNumberOfLines(), 12);
