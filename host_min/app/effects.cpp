@@ -149,6 +149,10 @@ void printEffects(const SceneFile& file, const Frame& frame, bool quiet) {
     fmt::print("{}: {} in {}, {}, {}\n", oneLine(file.path().string()), counted(frame.triangles.size(), "triangle"),
                counted(frame.facts.objects, "object"), counted(frame.lights.size(), "light"), counted(file.cameraCount(), "camera"));
     if (frame.facts.duplicates > 0) fmt::print("{} there twice: kept\n", counted(frame.facts.duplicates, "triangle"));
+    const auto oneSided = static_cast<uint64_t>(std::count(frame.oneSided.begin(), frame.oneSided.end(), uint8_t{1}));
+    if (oneSided > 0)
+        fmt::print("{} (doubleSided is false): the camera sees their fronts only; they cast from both sides\n",
+                   counted(oneSided, "one-sided triangle"));
     std::set<std::string, std::less<>> told;
     if (!quiet) printNotices(frame.facts.notices, told);
     const std::vector<Clip> clips = file.clips();

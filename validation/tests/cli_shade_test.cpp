@@ -472,7 +472,7 @@ TEST(Tell, Effects) {
     const Stage stage;
     const Outcome small = stage.run({"effects", stage.write("scene.glb", smallScene().glb())});
     expectDone(small);
-    for (const char* part : {"14 triangles", "point_light", "directional_light", "closed_casters", "open_casters", "auto would run"})
+    for (const char* part : {"14 triangles", "point_light", "directional_light", "closed_casters", "open_casters", "one-sided", "auto would run"})
         EXPECT_NE(small.out.find(part), std::string::npos) << part << "\n" << small.out;
     const Outcome shipped = stage.run({"effects", sceneFile("table_fan"), "--frame", "7"});
     expectDone(shipped);
