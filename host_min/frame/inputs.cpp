@@ -33,20 +33,19 @@ vk::BufferUsageFlags casterUsage(const DeviceFacts& device) {
     return device.rayQuery ? usage | AccelerationStructure::kInputUsage : usage;
 }
 
-/// The camera with its near and far plane moved to the box of all triangles where that lies inside of them: of a distant, narrow view the depth
-/// buffer then tells the scene's parts from each other. Nothing is clipped that was not.
+/// The camera with its near and far plane moved to the nearest and the farthest vertex where those lie inside of them: of a distant, narrow view the
+/// depth buffer then tells the scene's parts from each other. Nothing is clipped that was not.
 Camera tightened(Camera camera, const Frame& frame) {
     double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
     const glm::dvec3 backward(camera.gridFromCamera[2]), place(camera.gridFromCamera[3]);
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 at((corner & 1 ? frame.high : frame.low).x, (corner & 2 ? frame.high : frame.low).y,
-                            (corner & 4 ? frame.high : frame.low).z);
-        const double depth = glm::dot(backward, place - at);
-        nearest = std::min(nearest, depth);
-        farthest = std::max(farthest, depth);
-    }
-    const double room = 1e-3 * (farthest - nearest) + 1e-6 * std::abs(farthest);
-    if (!(farthest > camera.znear)) return camera;  // nothing before it
+    for (const Triangle& t : frame.triangles)
+        for (const glm::vec3& at : {t.a, t.b, t.c}) {
+            const double depth = glm::dot(backward, place - glm::dvec3(at));
+            nearest = std::min(nearest, depth);
+            farthest = std::max(farthest, depth);
+        }
+    const double room = 1e-3 * (farthest - nearest) + 1e-6 * std::abs(farthest) + 1e-5;  // far above the rounding of positions in [-1, 1]
+    if (!(farthest > camera.znear)) return camera;                                       // nothing before it
     camera.znear = std::max(camera.znear, nearest - room);
     camera.zfar = camera.zfar > 0 ? std::min(camera.zfar, farthest + room) : farthest + room;
     return camera;

@@ -29,14 +29,14 @@ std::string describe(const test::Scene& scene, size_t sample, const host::Oracle
 }
 
 /// The oracle against the definition over 128-bit integers, every sample against every caster.
-std::string bruteForce(const test::Scene& scene, const host::OracleAnswer& answer) {
+std::string bruteForce(const test::Scene& scene, const std::vector<uint8_t>& isCaster, const host::OracleAnswer& answer) {
     std::vector<std::array<exact::Vec, 3>> casters;
     for (const Triangle& t : scene.triangles) casters.push_back({exact::fixed(t.a), exact::fixed(t.b), exact::fixed(t.c)});
     for (size_t i = 0; i < scene.samples.size(); ++i) {
         const exact::Vec p = exact::fixed(scene.samples[i].position);
         bool dark = false;
         for (size_t k = 0; k < casters.size() && !dark; ++k) {
-            if (k == scene.samples[i].own) continue;
+            if (k == scene.samples[i].own || (!isCaster.empty() && !isCaster[k])) continue;
             dark = exact::inShadowOf(scene.light, casters[k][0], casters[k][1], casters[k][2], p);
         }
         if (dark != (answer.inShadow[i] != 0)) return describe(scene, i, answer);
@@ -103,13 +103,14 @@ CaseResult runCase(const HardCase& hardCase, const RunnerOptions& options, const
         std::vector<host::OracleSample> asked(scene.samples);
         for (host::OracleSample& sample : asked)
             if (sample.own > host::kNoCaster) sample.own = host::kNoCaster;  // background, or facing away: nobody reads that answer
-        const host::OracleAnswer answer = host::makeOracle()->ask({scene.triangles, {}, scene.light, asked}, [](double) {});
+        const std::vector<uint8_t> casters = test::castersOf(scene);
+        const host::OracleAnswer answer = host::makeOracle()->ask({scene.triangles, casters, scene.light, asked}, [](double) {});
         result.triangles += scene.triangles.size();
         result.samples += scene.samples.size();
         result.inShadow += uint64_t(std::count(answer.inShadow.begin(), answer.inShadow.end(), uint8_t(1)));
         if (scene.triangles.size() * scene.samples.size() <= kBruteForceLimit) {
             result.bruteForced += scene.samples.size();
-            if (result.oracleWrong.empty()) result.oracleWrong = bruteForce(scene, answer);
+            if (result.oracleWrong.empty()) result.oracleWrong = bruteForce(scene, casters, answer);
         }
 
         const std::vector<uint32_t> seeds = insertionSeeds(hardCase, scene, std::max(1u, options.insertionSeeds / hardCase.scenes));

@@ -5,6 +5,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "validation/support/exact_reference.hpp"
+
 namespace gno::test {
 
 host::Frame frameOf(const Scene& scene) {
@@ -54,11 +56,22 @@ host::TechniqueResult run(const Scene& scene, const std::string& technique, host
     return runAll(scene, std::span(&technique, 1), precision, settings).front();
 }
 
+std::vector<uint8_t> castersOf(const Scene& scene) {
+    if ((uint32_t(scene.cull) & uint32_t(host::Cull::front)) == 0) return {};
+    std::vector<uint8_t> kept(scene.triangles.size(), 1);
+    for (size_t i = 0; i < kept.size(); ++i) {
+        const host::Triangle& t = scene.triangles[i];  // orient3dLight is the opposite of orient3d(a, b, c, light)
+        kept[i] = !(scene.closed[i] && exact::orient3dLight(scene.light, exact::fixed(t.a), exact::fixed(t.b), exact::fixed(t.c)) < 0);
+    }
+    return kept;
+}
+
 host::OracleAnswer ask(const Scene& scene) {
     const host::Frame frame = frameOf(scene);
     host::FrameInputs inputs(passes(), frame, scene.samples, scene.width);
     inputs.setLight(scene.light, scene.cull);
-    return host::makeOracle()->ask({scene.triangles, {}, scene.light, scene.samples}, [](double) {});
+    const std::vector<uint8_t> casters = castersOf(scene);
+    return host::makeOracle()->ask({scene.triangles, casters, scene.light, scene.samples}, [](double) {});
 }
 
 Wrong compare(const host::TechniqueResult& got, const host::OracleAnswer& want, std::span<const host::OracleSample> samples) {

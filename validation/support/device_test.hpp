@@ -36,6 +36,10 @@ host::TechniqueResult run(const Scene& scene, const std::string& technique, host
 std::vector<host::TechniqueResult> runAll(const Scene& scene, std::span<const std::string> techniques, host::Precision precision,
                                           std::span<const std::string> settings = {});
 
+/// Triangles that Scene::cull leaves as casters, by an exact sign of the host's own; empty: all. Given samples may lie anywhere, so front-face
+/// culling is not judged (cull_front.hpp): it is these tests' definition of the casters.
+std::vector<uint8_t> castersOf(const Scene& scene);
+
 /// The oracle's answer for the same scene (front-face culling included).
 host::OracleAnswer ask(const Scene& scene);
 

@@ -46,7 +46,7 @@ public:
     explicit Asked(test::Scene scene)
         : scene_(std::move(scene)), frame_(test::frameOf(scene_)), inputs_(test::passes(), frame_, scene_.samples, scene_.width) {
         inputs_.setLight(scene_.light, scene_.cull);
-        want_ = host::makeOracle()->ask({scene_.triangles, {}, scene_.light, scene_.samples}, [](double) {});
+        want_ = host::makeOracle()->ask({scene_.triangles, test::castersOf(scene_), scene_.light, scene_.samples}, [](double) {});
     }
     host::TechniqueResult run(const Strings& settings, bool dump = false) {
         host::Technique& technique = host::techniqueByName("forest");

@@ -103,7 +103,7 @@ class BadInput(unittest.TestCase):
         results, lines = self.few()
         done = self.report(results, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (40000, 40000)),
                            env=os.environ | {"LP_NUM_THREADS": "1"})
-        self.refused(done, 1, "cannot write")
+        self.refused(done, 2, "cannot write")
 
     def test_no_display(self):
         results, lines = self.few()
