@@ -103,7 +103,8 @@ protected:
         }
         const auto point = std::find_if(lights_.begin(), lights_.end(), [](const glm::vec4& l) { return l.w == 1; });
         if (point == lights_.end() || lights_.size() != 2) throw std::runtime_error("the scene has no point light or no directional one");
-        lights_.insert(lights_.begin(), glm::vec4(-point->x, point->y, -point->z, 1));
+        const glm::vec3 middle = frame_.low + frame_.high;  // twice; the third light stands on the other side of it
+        lights_.insert(lights_.begin(), glm::vec4(middle.x - point->x, point->y, middle.z - point->z, 1));
     }
 
     [[nodiscard]] size_t points() const {
