@@ -31,7 +31,7 @@ public:
     FrameInputs(PassCache& passes, const Frame& frame, std::span<const OracleSample> samples, uint32_t width = 64);
 
     /// Makes view samples (unless they were given) and caster states for a homogeneous light on the grid. Front-face culling leaves meshes whole for
-    /// which it would not be legal (cull_front.hpp); given samples must lie outside of all closed meshes.
+    /// which it would not be legal (cull_front.hpp). Where samples are given, nobody judges that: it drops what Frame::closed allows.
     void setLight(glm::vec4 light, Cull cull);
 
     [[nodiscard]] PassCache& passes() const { return passes_; }

@@ -22,8 +22,6 @@
 namespace gno::host {
 namespace fs = std::filesystem;
 
-namespace {}  // namespace
-
 /// A temporary of this process, in a list that a signal handler may walk at any time: what is in it is never changed but for `there`, and never
 /// freed. That is some hundred bytes for each file written.
 struct AtomicFile::Temporary {

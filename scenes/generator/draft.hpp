@@ -28,6 +28,7 @@ struct Material {
     std::string alphaMode{};
     double opacity = 1, cutoff = 0.5, transmission = 0;
     int texture = -1;
+    bool doubleSided = false;  ///< seen from behind as well: thin things, and rooms that are seen from inside; what lets light through always is
 };
 
 struct Part {

@@ -61,7 +61,7 @@ Draft buildGrass(double detail, uint64_t seed) {
     std::vector<int> tiles;
     for (int i = 0; i < kTiles; ++i) {
         const double hue = random.between(0, 1);
-        const uint32_t green = draft.material("grass", {0.20 + 0.14 * hue, 0.42 + 0.08 * hue, 0.10});
+        const uint32_t green = draft.material({.name = "grass", .color = {0.20 + 0.14 * hue, 0.42 + 0.08 * hue, 0.10}, .doubleSided = true});
         tiles.push_back(draft.model(tile(green, static_cast<size_t>(perTile * (0.7 + 0.12 * i)) + 2, random)));
     }
     for (int z = -4; z < 2; ++z)

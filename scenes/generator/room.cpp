@@ -133,9 +133,12 @@ void addRoundThings(Draft& draft, double triangles, uint32_t white, uint32_t col
 Draft buildRoom(double detail, uint64_t seed) {
     Random random(seed);
     Draft draft;
-    Paints paints{draft.material("walls", {0.74, 0.70, 0.62}),     draft.material("oak", {0.55, 0.36, 0.18}),
-                  draft.material("walnut", {0.30, 0.18, 0.10}),    draft.material("cloth", {0.20, 0.30, 0.42}),
-                  draft.material("porcelain", {0.85, 0.85, 0.82}), {}};
+    Paints paints{draft.material({.name = "walls", .color = {0.74, 0.70, 0.62}, .doubleSided = true}),
+                  draft.material("oak", {0.55, 0.36, 0.18}),
+                  draft.material("walnut", {0.30, 0.18, 0.10}),
+                  draft.material("cloth", {0.20, 0.30, 0.42}),
+                  draft.material("porcelain", {0.85, 0.85, 0.82}),
+                  {}};
     for (const glm::dvec3 color : {glm::dvec3(0.55, 0.12, 0.10), {0.12, 0.30, 0.45}, {0.62, 0.50, 0.16}, {0.16, 0.36, 0.18}, {0.70, 0.66, 0.58}})
         paints.books.push_back(draft.material("book", color));
     Model shell;

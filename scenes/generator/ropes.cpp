@@ -173,7 +173,7 @@ Draft buildRopes(double detail, uint64_t seed) {
     addDock(draft);
     addShipHull(draft);
     const uint32_t spars = draft.material("spars", {0.46, 0.30, 0.16});
-    const uint32_t canvas = draft.material("canvas", {0.80, 0.74, 0.62});
+    const uint32_t canvas = draft.material({.name = "canvas", .color = {0.80, 0.74, 0.62}, .doubleSided = true});
     const uint32_t hemp = draft.material("hemp", {0.50, 0.40, 0.26});
     Model rigged;
     rigged.name = "rigging";

@@ -111,10 +111,8 @@ public:
         out.pbrMetallicRoughness.baseColorFactor = color;
         out.pbrMetallicRoughness.baseColorTexture.index = from.texture;
         out.pbrMetallicRoughness.metallicFactor = 0;
-        if (!from.alphaMode.empty()) {
-            out.alphaMode = from.alphaMode;
-            out.doubleSided = true;
-        }
+        if (!from.alphaMode.empty()) out.alphaMode = from.alphaMode;
+        out.doubleSided = from.doubleSided || !from.alphaMode.empty();
         if (from.alphaMode == "MASK") out.alphaCutoff = static_cast<float>(from.cutoff);
         if (from.transmission > 0) {
             out.extensions["KHR_materials_transmission"] = tinygltf::Value(

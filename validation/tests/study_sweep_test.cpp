@@ -64,7 +64,7 @@ TEST_F(Study, RowsAreCompleteAndTimedInTurns) {
         }
         if (row["precision"] == "published" && row["technique"] == "psv") {
             ++published;
-            if (check["wrong"] == 0) continue;  // then there is nothing to show
+            EXPECT_GT(check["wrong"].get<int>(), 0) << "known to be wrong here";
             for (const char* key : {"shaded", "truth", "wrong"})
                 EXPECT_TRUE(readFile(stage.out() / row["pictures"][key].get<std::string>()).ends_with("IEND\xAE\x42\x60\x82")) << key;
         }
